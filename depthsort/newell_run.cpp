@@ -16,8 +16,7 @@ namespace xnewell {
 namespace {
 
 constexpr int kNone = -1;
-/// How many splits are tried to break a cycle: all of a cycle of eight polygons. In a longer one it stays at
-/// these, so that the time does not grow with the square of the length.
+/// How many splits are tried to break a cycle: all of a cycle of eight polygons, and no more of a longer one.
 constexpr int kMostTries = 56;
 
 /// What is read only for P: its place in the tree of pieces and in the walk over the Q's. All Q's before that
@@ -50,6 +49,7 @@ class NewellRun {
     enter(list);
     GiveUpNowAndThen giveUp;
     for (int turn = 0; turn < given_; ++turn) {
+      if (turn + 8 < given_) __builtin_prefetch(&list_[turns_[turn + 8]]);  // the list leads anywhere
       if (paintFree(turn)) continue;
       for (int P; (P = nextOpen(turns_[turn])) != kNone;) {
         note(Event::Kind::Take, P);

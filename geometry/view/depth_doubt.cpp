@@ -12,8 +12,9 @@ DepthDoubt::DepthDoubt(const ViewSpec& view, int width, int height, int zShift, 
       worldFromVrc_{glm::transpose(vrcRotation(view))},
       axis_{-scale_.corner.x / scale_.step.x, scale_.corner.y / scale_.step.y},
       perZ_{scale_.zStep / (scale_.D * scale_.D)},
-      q0_{1.0 / (perZ_ * (scale_.D - scale_.back))},
-      dBack_{scale_.D - scale_.back} {}
+      perBack_{1.0 / (scale_.D - scale_.back)},
+      q0_{perBack_ / perZ_},
+      perSlope_{perZ_ * scale_.D / scale_.step.x, -perZ_ * scale_.D / scale_.step.y} {}
 
 Doubt DepthDoubt::of(const ScreenPlane& record, double u) const {
   const double perC = 1.0 / static_cast<double>(record.C);
@@ -29,9 +30,7 @@ Doubt DepthDoubt::of(const ScreenPlane& record, double u) const {
     return {static_cast<float>(snap + moved(m) / scale_.zStep), 0.0f};
   }
   const double zAtAxis = alpha * axis_.x + beta * axis_.y + approximately(record.D) * perC;
-  const double perSlope = perZ_ * scale_.D;
-  const double byZ = moved({alpha * perSlope / scale_.step.x, -beta * perSlope / scale_.step.y,
-                            -(zAtAxis * perZ_ + 1.0 / dBack_)});
+  const double byZ = moved({alpha * perSlope_.x, beta * perSlope_.y, -(zAtAxis * perZ_ + perBack_)});
   return {static_cast<float>(snap + byZ * q0_), static_cast<float>(byZ)};
 }
 

@@ -40,7 +40,8 @@ class DepthDoubt {
   Rounding rounding_;
   glm::dmat3 worldFromVrc_;
   glm::dvec2 axis_;  ///< the place of the projection reference point on the grid
-  double perZ_, q0_, dBack_;
+  double perZ_, perBack_, q0_;
+  glm::dvec2 perSlope_;
 };
 
 }  // namespace xnewell
