@@ -58,6 +58,12 @@ prepare() {
   git clone --quiet "$root" "$copy$home/xnewell" && inside "$copy" chown -R "$user:" "$home/xnewell"
 }
 
+# Every command reads its options: another version of CLI11 may refuse what this machine's accepts.
+# shellcheck disable=SC2016  # these are variables of the inner shell
+every_command='
+  names=$(build/release/x11/xnewell --help | sed -n "s/^  xnewell \([a-z]*\) .*/\1/p" | sort -u)
+  for name in ${names:?}; do build/release/x11/xnewell "$name" --help >/dev/null || exit; done'
+
 # The sums of the figures of all scenes: flat as SVG, Gouraud as PDF, Phong as EPS. So all pixels of Phong's
 # picture count, and no compressed file, since libraries compress in different ways.
 # shellcheck disable=SC2016  # these are variables of the inner shell
@@ -88,6 +94,10 @@ front_door() {
     fi
     say "Debian $1, as $user: $command succeeded in $((SECONDS - start)) s"
   done
+  if ! inside "$copy" "${run[@]}" "cd $home/xnewell && $every_command" >&2; then
+    say "Debian $1, as $user: a command cannot read its options; the root is $copy"
+    return 1
+  fi
   if ! inside "$copy" "${run[@]}" "cd $home/xnewell && $figure_sums" >"$root/build/front-door-$1.sums"; then
     say "Debian $1, as $user: the figures could not be made; the root is $copy"
     return 1

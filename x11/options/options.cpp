@@ -130,7 +130,7 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
       ->type_name("");
   if (o.command == Command::Explain)
     app.add_option_function<std::string>(
-           "pixel", [&](const std::string& s) { o.pixel = pixelOf("X,Y", s); }, "X,Y, a pixel of the picture")
+           "explained", [&](const std::string& s) { o.pixel = pixelOf("X,Y", s); }, "X,Y, a pixel of the picture")
         ->type_name("");
   if (const std::string_view what = rowOf(o.command).takes; !what.empty())
     app.add_option_function<std::string>(
