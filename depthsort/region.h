@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "geometry/exact/two_doubles.h"
 #include "geometry/view/project.h"
 
 namespace xnewell {
@@ -101,7 +102,22 @@ class Regions {
   [[nodiscard]] int exactSign(const Line& line, const Line& first, const Line& second,
                               const Corner& at) const;
 
+  /// A line's coefficients, each off by at most kTwoDoubles of itself.
+  struct FineLine {
+    TwoDoubles a, b, c;
+  };
+  [[nodiscard]] FineLine fineLine(const Line& line) const;
+  /// The same, kept for the next time: many corners lie on one line.
+  [[nodiscard]] const FineLine& finely(const Line& line) const;
+  [[nodiscard]] static int fineSign(const FineLine& line, const FineLine& first, const FineLine& second);
+
+  struct KeptLine {
+    Line::Kind kind;
+    int p = -1, q = -1;
+    FineLine fine;
+  };
   const SnappedScene& scene_;
+  mutable std::vector<KeptLine> lines_;
   mutable Region kept_;  ///< a buffer of clip(), a member to reuse its memory
 };
 

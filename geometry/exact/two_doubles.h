@@ -1,0 +1,52 @@
+#pragma once
+
+#include "geometry/exact/int128.h"
+
+namespace xnewell {
+
+/// A number as the sum of two doubles, the second at most about an ulp of the first: some 100 bits, for a
+/// twentieth of the time that integers of 512 bits take. A sum or a product x, y -> z is off by at most
+/// kTwoDoubles (|x| + |y|), or kTwoDoubles |x y|, in each rounding mode, if nothing overflows 2^990 or falls
+/// below 2^-900. Compiled without contraction. @see Dekker 1971; Knuth 4.2.2
+struct TwoDoubles {
+  double high = 0.0, low = 0.0;
+};
+inline constexpr double kTwoDoubles = 0x1p-100;
+
+/// high + low, where |low| is small beside |high|.
+[[nodiscard]] inline TwoDoubles renormed(double high, double low) {
+  const double sum = high + low;
+  return {sum, low - (sum - high)};
+}
+
+[[nodiscard]] inline TwoDoubles operator+(const TwoDoubles& x, const TwoDoubles& y) {
+  const double sum = x.high + y.high, ofY = sum - x.high;
+  const double rest = (x.high - (sum - ofY)) + (y.high - ofY);
+  return renormed(sum, rest + (x.low + y.low));
+}
+
+[[nodiscard]] inline TwoDoubles operator-(const TwoDoubles& x) { return {-x.high, -x.low}; }
+
+[[nodiscard]] inline TwoDoubles operator*(const TwoDoubles& x, const TwoDoubles& y) {
+  constexpr double kHalves = 0x1p27 + 1.0;  // a double is the sum of two numbers of 26 bits
+  const double xScaled = kHalves * x.high, yScaled = kHalves * y.high;
+  const double x1 = xScaled - (xScaled - x.high), x2 = x.high - x1;
+  const double y1 = yScaled - (yScaled - y.high), y2 = y.high - y1;
+  const double product = x.high * y.high;
+  const double rest = ((x1 * y1 - product) + x1 * y2 + x2 * y1) + x2 * y2;
+  return renormed(product, rest + (x.high * y.low + x.low * y.high));
+}
+
+/// An integer n, off by at most kTwoDoubles |n|.
+[[nodiscard]] inline TwoDoubles twoDoubles(const Int128& n) {
+  const Int128 magnitude = n < 0 ? Int128{-n} : n;
+  // Four parts of 32 bits. None is negative, so no sum cancels.
+  const auto part = [&](int shift) {
+    return static_cast<double>(static_cast<std::uint32_t>((magnitude >> shift) & 0xFFFFFFFFu));
+  };
+  const TwoDoubles sum =
+      renormed(part(96) * 0x1p96, part(64) * 0x1p64) + renormed(part(32) * 0x1p32, part(0));
+  return n < 0 ? -sum : sum;
+}
+
+}  // namespace xnewell
