@@ -5,8 +5,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <future>
 #include <glm/geometric.hpp>
+#include <mutex>
 #include <optional>
+#include <span>
+#include <thread>
 
 #include "depthsort/oracle.h"
 #include "geometry/exact/box.h"
@@ -86,6 +90,27 @@ void judge(ExtremeStep& step, const Picture& picture) {
   step.merged = mergedShades(picture.table());
 }
 
+/// Drives the scene one way. Returns nothing if `mayGoOn` says no.
+std::optional<Extreme> driven(const Start& start, const Way& way,
+                              const std::function<bool(const std::string&)>& mayGoOn) {
+  Extreme extreme{way.name, way.unit, way.drives};
+  std::optional<Picture> first;
+  for (const double value : way.values) {
+    if (!mayGoOn(std::string{way.name} + " " + shortly(value))) return std::nullopt;
+    ExtremeStep& step = extreme.steps.emplace_back(ExtremeStep{.value = value, .why = way.why(start, value)});
+    try {
+      Case drive = way.at(start, value);
+      const Picture picture = makePicture(std::move(drive.scene), drive.settings, 0);
+      judge(step, picture);
+      if (!first) first = picture;
+      if (way.changesNothing) step.changed = changedFrom(*first, picture);
+    } catch (const ViewError& e) {
+      step.refused = e.what();
+    }
+  }
+  return extreme;
+}
+
 }  // namespace
 
 std::string shortly(double v) {
@@ -98,31 +123,41 @@ std::string shortly(double v) {
 }
 
 Extremes extremesOf(const Scene& scene, const PictureSettings& settings,
-                    const std::function<bool(const std::string&)>& goOn) {
+                    const std::function<bool(const std::string&)>& goOn, int threads) {
   if (boxOf(scene.mesh.points).side() == 0) throw ViewError{"the scene has no extent"};
   const Picture asItIs = makePicture(scene, inOneHue(settings), 0);
   const Start start = startOf(asItIs);
-  Extremes extremes{.setUp = {}, .allWays = static_cast<int>(extremeWays().size())};
+  const std::span<const Way> ways = extremeWays();
+  Extremes extremes{.setUp = {}, .allWays = static_cast<int>(ways.size())};
   judge(extremes.setUp, asItIs);
-  for (const Way& way : extremeWays()) {
-    Extreme extreme{way.name, way.unit, way.drives};
-    std::optional<Picture> first;
-    for (const double value : way.values) {
-      if (goOn && !goOn(std::string{way.name} + " " + shortly(value))) return extremes;
-      ExtremeStep& step =
-          extreme.steps.emplace_back(ExtremeStep{.value = value, .why = way.why(start, value)});
-      try {
-        Case drive = way.at(start, value);
-        const Picture picture = makePicture(std::move(drive.scene), drive.settings, 0);
-        judge(step, picture);
-        if (!first) first = picture;
-        if (way.changesNothing) step.changed = changedFrom(*first, picture);
-      } catch (const ViewError& e) {
-        step.refused = e.what();
+
+  std::mutex turn;
+  bool goesOn = true;
+  std::size_t next = 0;
+  std::vector<std::optional<Extreme>> done(ways.size());
+  const auto mayGoOn = [&](const std::string& doing) {
+    const std::scoped_lock alone{turn};
+    return goesOn = goesOn && (!goOn || goOn(doing));
+  };
+  const auto takeWays = [&] {
+    for (;;) {
+      std::size_t mine = 0;
+      {
+        const std::scoped_lock alone{turn};
+        if (!goesOn || next == ways.size()) return;
+        mine = next++;
       }
+      done[mine] = driven(start, ways[mine], mayGoOn);
     }
-    extremes.ways.push_back(std::move(extreme));
-  }
+  };
+  std::vector<std::future<void>> others;
+  const int all = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
+  for (int k = 1; k < std::min(all, extremes.allWays); ++k)
+    others.push_back(std::async(std::launch::async, takeWays));
+  takeWays();
+  for (std::future<void>& other : others) other.get();
+  for (std::optional<Extreme>& way : done)
+    if (way) extremes.ways.push_back(std::move(*way));
   return extremes;
 }
 

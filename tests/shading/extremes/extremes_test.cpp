@@ -385,7 +385,8 @@ TEST(Extremes, AStopKeepsTheFinishedWays) {
     const std::size_t steps = whole.ways[finished].steps.size();
     for (const std::size_t inWay : {std::size_t{0}, steps - 1}) {
       std::size_t left = pictures + inWay;
-      const Extremes stopped = extremesOf(scene, settings, [&](const std::string&) { return left-- > 0; });
+      const Extremes stopped = extremesOf(
+          scene, settings, [&](const std::string&) { return left-- > 0; }, 1);
       ASSERT_TRUE(stopped.isStopped());
       ASSERT_EQ(stopped.ways.size(), finished);
       for (std::size_t k = 0; k < finished; ++k)
