@@ -44,9 +44,7 @@ EquationAt::EquationAt(const Surfaces& s, int material)
   for (int c = 0; c < lighting_.channels; ++c) {
     everywhere_.Ia[c] = lighting_.channels == 3 ? Ia[c] : luminance(Ia);
     everywhere_.ambient[c] = m.ambient[c];
-    const double once = rowOf(lighting_.mistake).ambient * everywhere_.Ia[c];
-    const double ka = once > 0.0 ? m.ambient[c] / once : 0.0;
-    everywhere_.surface[c] = {.ka = ka, .kd = m.kd[c], .ks = m.ks[c], .n = m.n};
+    everywhere_.surface[c] = {.ka = m.ka[c], .kd = m.kd[c], .ks = m.ks[c], .n = m.n};
   }
 }
 

@@ -177,7 +177,8 @@ Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& 
     const std::array Oa = share(m.diffuse), Od = share(diffuseColor(m, user.texel)), Os = share(m.specular);
     Material material;
     for (int c = 0; c < 3; ++c) {
-      material.ambient[c] = rowOf(user.mistake).ambient * m.ka.value_or(user.ka) * Oa[c] * ambientLight[c];
+      material.ka[c] = m.ka.value_or(user.ka) * Oa[c];
+      material.ambient[c] = rowOf(user.mistake).ambient * material.ka[c] * ambientLight[c];
       material.kd[c] = m.kd.value_or(user.kd) * Od[c];
       material.ks[c] = m.ks.value_or(user.ks) * Os[c];
     }
