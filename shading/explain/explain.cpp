@@ -152,7 +152,8 @@ std::string faceName(const Picture& picture, int face) {
   const auto own = std::ranges::equal_range(parts.face, f.number);
   if (own.size() > 1 && !picture.shading().refined())
     name += '.' + std::to_string(f.part - (own.begin() - parts.face.begin()) + 1);
-  return name + ", " + mesh.groupNames[mesh.group[f.number]];
+  const std::string& group = mesh.groupNames[mesh.group[f.number]];
+  return group.empty() ? name : name + ", " + group;
 }
 
 }  // namespace xnewell

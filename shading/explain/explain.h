@@ -57,7 +57,8 @@ struct Explanation {
   std::array<int, 3> value{};
 };
 
-/// "1954.2, spout": the number of a face, of the convex part of it, and the name of its group. `face` is an
+/// "1954.2, spout": the number of a face, of the convex part of it, and the name of its group, if it has one.
+/// `face` is an
 /// index into snapped().faces.
 [[nodiscard]] std::string faceName(const Picture& picture, int face);
 
