@@ -64,10 +64,12 @@ Frame frame(std::span<const glm::dvec3> vrc, glm::dvec2 tan, bool aimed, bool pa
   for (int step = 0; step < kSteps && !aimed && !parallel; ++step) {
     glm::dvec2 high{kLowest}, low{-kLowest};
     for (const glm::dvec3& p : vrc) {
+      if (!(p.z < f.distance)) continue;  // in the eye, it is seen in no direction
       const glm::dvec2 seen = (glm::dvec2{p} - f.centre) / (f.distance - p.z);
       high = glm::max(high, seen);
       low = glm::min(low, seen);
     }
+    if (!(low.x <= high.x)) break;  // a scene without a width
     f.centre += (high + low) * (f.distance / 2.0);
   }
   return f;
@@ -208,8 +210,9 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
     vrcBox.low -= glm::dvec3{fit.centre, 0.0};
     vrcBox.high -= glm::dvec3{fit.centre, 0.0};
   }
+  const double away = fit.distance == 0.0 ? side : fit.distance;  // a point is seen from anywhere
   const double D = s.eye && !s.prp ? (rotation * (*s.eye - view.vrp)).z
-                                   : std::max(fit.distance, vrcBox.high.z + side * kNearFraction * 2);
+                                   : std::max(away, vrcBox.high.z + side * kNearFraction * 2);
   view.prp = s.prp ? *s.prp : glm::dvec3{lean * D, D};
   if (s.window) {
     view.windowMin = {s.window->x, s.window->z};

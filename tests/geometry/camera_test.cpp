@@ -62,6 +62,24 @@ TEST(Camera, FramesTheSceneWhole) {
   }
 }
 
+// A scene that is one point, or a line that the eye looks along, has a camera too: the middle of the picture
+// shows it.
+TEST(Camera, FramesASceneWithoutAWidth) {
+  const glm::dvec3 along{0.22, 0.52, 1.0};  // as the eye looks at a scene without options
+  for (const std::vector<glm::dvec3>& points :
+       {std::vector<glm::dvec3>(3, glm::dvec3{0.0}), std::vector<glm::dvec3>(3, glm::dvec3{3, 4, 5}),
+        std::vector<glm::dvec3>{along, glm::dvec3{0.0}, 2.0 * along}})
+    for (const bool parallel : {false, true}) {
+      CameraSettings settings;
+      settings.parallel = parallel;
+      const Reach r = reach(placeCamera(settings, points, UpAxis::Y, 4.0 / 3), points);
+      EXPECT_NEAR(r.low.x, 0.0, 1e-9);
+      EXPECT_NEAR(r.high.x, 0.0, 1e-9);
+      EXPECT_NEAR(r.low.y, 0.0, 1e-9);
+      EXPECT_NEAR(r.high.y, 0.0, 1e-9);
+    }
+}
+
 // Given settings are used as they are: the eye, the look-at point, the up vector, the angle.
 TEST(Camera, TakesWhatWasSaid) {
   CameraSettings s;
