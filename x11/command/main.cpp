@@ -121,12 +121,13 @@ void trace(const Options& options, Scene scene) {
   std::optional<Doing> sorting{"sorting"};
   PictureSettings settings = settingsOf(options);
   settings.order = Order::Unsorted;  // the trace makes its own sort
-  if (channelsOf(planOf(scene, settings)) == Channels::Rgb) settings.colors = ColorPlan::OneHue;
+  const bool oneHue = channelsOf(planOf(scene, settings)) == Channels::Rgb;
+  if (oneHue) settings.colors = ColorPlan::OneHue;
   if (options.window.polygon) {
     const Picture picture =
         makePicture(std::move(scene), settings, CellPlan{settings.table.kind}[Cell::Well]);
     sorting.reset();
-    return printScanline(options.scene, *options.window.polygon, picture, std::cout);
+    return printScanline(options.scene, *options.window.polygon, picture, oneHue, std::cout);
   }
   const Picture picture = makePicture(std::move(scene), settings).withPlanes();
   const SortedScene sorted = recordedRun(options, picture);

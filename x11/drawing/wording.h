@@ -9,6 +9,8 @@ namespace xnewell {
 
 /// Words and numbers for people.
 
+inline constexpr std::string_view kNothingShows = "Nothing of the scene is in the picture.";
+
 /// Breaks a text in UTF-8 into lines of at most `most` characters, at spaces where it can.
 [[nodiscard]] std::vector<std::string> broken(std::string_view text, int most);
 

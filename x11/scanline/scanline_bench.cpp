@@ -17,23 +17,7 @@ constexpr std::array kBitChoices{8, 16, 24};
 /// The parts of the page that the pointer presses.
 constexpr int kOverview = 31, kGridPart = 32;
 
-/// "59.1" of "59.1, handle".
-std::string nameOfFace(const Picture& picture, int face) {
-  const std::string name = faceName(picture, face);
-  return name.substr(0, name.find(','));
-}
-
 }  // namespace
-
-int faceNamed(const Picture& picture, const std::string& name) {
-  const auto& faces = picture.snapped().faces;
-  const std::optional<int> number = wholeNumber(name.substr(0, name.find('.')));
-  for (int f = 0; number && f < static_cast<int>(faces.size()); ++f)
-    if (faces[static_cast<std::size_t>(f)].number == *number &&
-        (name.find('.') == std::string::npos || nameOfFace(picture, f) == name))
-      return f;
-  return -1;
-}
 
 Control ScanlineBench::bitsControl() {
   Control bits{.kind = Control::Kind::Choice,
@@ -348,7 +332,7 @@ void ScanlineBench::draw(Painter paint, const Desk& desk) {
   Pen pen{paint, desk.plan};
   list_.forgetPlaces();
   if (!run_) {
-    status_ = "Nothing of the scene is in the picture.";
+    status_ = kNothingShows;
     pen.bold(at_.body.x, at_.body.y + 20, status_);
     drawn_ = view_;
     return;
@@ -369,14 +353,14 @@ void ScanlineBench::draw(Painter paint, const Desk& desk) {
   list_.place({0, kOverview}, {.area = at_.overview, .grip = at_.overview, .bare = true, .passive = true});
   list_.place({0, kGridPart}, {.area = at_.grid, .grip = at_.grid, .bare = true, .passive = true});
   list_.draw(pen, all);
-  status_ = stepInWords(*run_, view_.step) + "; of " +
+  status_ = stepInWords(*run_, view_.step) + (fullColor_ ? ", " + std::string{kInOneHue} : "") + "; of " +
             sizeText(picture_->settings().width, picture_->settings().height) + " pixels";
   drawn_ = view_;
 }
 
 std::string ScanlineBench::aside() const {
   if (!run_) return "";
-  return (fullColor_ ? "in one hue, although the scene has colours; " : "") + methodInWords(*run_);
+  return (fullColor_ ? "the scene has colours; " : "") + methodInWords(*run_);
 }
 
 std::vector<std::string> ScanlineBench::inWords() const {

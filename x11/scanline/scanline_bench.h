@@ -10,10 +10,6 @@
 
 namespace xnewell {
 
-/// The face of the picture with this name, an index into snapped().faces: "59.1", or "59" for its first part.
-/// -1 if there is none.
-[[nodiscard]] int faceNamed(const Picture& picture, const std::string& name);
-
 /// View 0: how one polygon becomes pixels, step by step. It has the timeline of the depth-sort stepper. A
 /// changed setting keeps the polygon, if the new picture has it.
 class ScanlineBench : public Bench {

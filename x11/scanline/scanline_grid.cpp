@@ -126,8 +126,8 @@ void drawNumbers(ScanlinePen& pen, const OnGrid& on) {
   }
 }
 
-/// Words beside a chart, where its columns leave room.
-void drawChartWords(ScanlinePen& pen, const Rect& at, int from, int to,
+/// Words beside a chart, where its columns leave room. False if they leave none.
+bool drawChartWords(ScanlinePen& pen, const Rect& at, int from, int to,
                     const std::array<std::string, 2>& words) {
   const int wide = std::max(textWidth(words[0]), textWidth(words[1])) + 12;
   const int top = at.y + (at.height - 26) / 2 + 10;
@@ -136,7 +136,10 @@ void drawChartWords(ScanlinePen& pen, const Rect& at, int from, int to,
       pen.softRight(from - 10, top + 14 * k, words[static_cast<std::size_t>(k)]);
     else if (at.x + at.width - to >= wide)
       pen.soft(to + 10, top + 14 * k, words[static_cast<std::size_t>(k)]);
+    else
+      return false;
   }
+  return true;
 }
 
 void drawCharts(ScanlinePen& pen, const OnGrid& on) {
@@ -172,8 +175,8 @@ void drawCharts(ScanlinePen& pen, const OnGrid& on) {
     if (sample > pen.sample || !pen.filled || !inside(on.middle(sample->column))) continue;
     inValue.disc(on.middle(sample->column), yOf(sample->stepped), on.window.side > 8 ? 2 : 1, pen(Cell::Ink));
   }
-  drawChartWords(pen, value, on.x(span.from), on.x(span.to),
-                 {"value in the table:", "line direct, dots by steps"});
+  (void)drawChartWords(pen, value, on.x(span.from), on.x(span.to),
+                       {"value in the table:", "line direct, dots by steps"});
 
   if (run.isConstant()) return;  // nothing is stepped
   const double scale = run.choosesBits() ? std::ldexp(1.0, run.bits()) : std::ldexp(1.0, 24);
@@ -193,9 +196,10 @@ void drawCharts(ScanlinePen& pen, const OnGrid& on) {
     pen.paint.fillRect(steps >= 0 ? Rect{x, zero - high1, 3, high1 + 1} : Rect{x, zero, 3, high1 + 1},
                        pen(differs ? Cell::Alarm : Cell::Ink));
   }
-  drawChartWords(
-      pen, drift, on.x(span.from), on.x(span.to),
-      {"drift, in steps", "of 2^-" + std::to_string(run.choosesBits() ? run.bits() : 24) + " shade"});
+  const std::array<std::string, 2> words{
+      "drift, in steps", "of 2^-" + std::to_string(run.choosesBits() ? run.bits() : 24) + " shade"};
+  if (!drawChartWords(pen, drift, on.x(span.from), on.x(span.to), words))
+    pen.softRight(drift.x + drift.width, drift.y - 1, words[0] + ' ' + words[1]);
 }
 
 }  // namespace

@@ -162,7 +162,11 @@ void drawPixel(ScanlinePen& pen) {
     pen.soft(pen.x(), pen.y, line.label);
     const int end = line.cell.empty() ? pen.right() : pen.right() - 46,
               left = pen.x() + std::max(pen.at.narrow ? 56 : 66, textWidth(line.label) + 8);
-    pen.ink(left, pen.y, beginningOf(line.how, end - textWidth(line.value) - 6 - left));
+    const int room = end - textWidth(line.value) - 6 - left;
+    std::string how = line.how;
+    if (textWidth(how) > room) std::erase(how, ' ');  // weights are worth more than their spaces
+    const int spare = std::max(0, left - pen.x() - textWidth(line.label) - 8);
+    pen.ink(left - std::clamp(textWidth(how) - room, 0, spare), pen.y, beginningOf(how, room + spare));
     pen.boldRight(end, pen.y, line.value);
     const bool same = line.cell == "same", other = line.cell == "other";
     if (same) pen.paint.tick(pen.right() - textWidth(line.cell) - 10, pen.y - 8, pen(Cell::Good));

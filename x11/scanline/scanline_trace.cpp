@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "x11/drawing/wording.h"
-#include "x11/scanline/scanline_bench.h"
+#include "x11/scanline/scanline_words.h"
 
 namespace xnewell {
 
@@ -19,7 +19,7 @@ class ScanlineTeller {
  public:
   ScanlineTeller(const ScanlineRun& run, std::ostream& out) : run_{run}, out_{out} {}
 
-  void tell(const std::string& scene) {
+  void tell(const std::string& scene, bool oneHue) {
     const Picture& picture = run_.picture();
     const std::string name = faceName(picture, run_.face());
     line({{"event", "polygon"},
@@ -29,7 +29,13 @@ class ScanlineTeller {
           {"shading", rowOf(picture.settings().shading).name},
           {"samples", run_.steps()},
           {"parts", run_.parts().size()},
-          {"says", "face " + name + ": " + methodInWords(run_)}});
+          {"one_hue", oneHue},
+          {"says",
+           "face " + name + ": " + methodInWords(run_) +
+               (run_.parts().size() > 1
+                    ? "; filled as " + counted(static_cast<std::int64_t>(run_.parts().size()), "triangle")
+                    : "") +
+               (oneHue ? "; " + std::string{kInOneHue} + ", so explain has other cells" : "")}});
     int part = -1, span = -1;
     for (int step = 1; step <= run_.steps(); ++step) {
       const ScanSample& sample = run_.samples()[static_cast<std::size_t>(step - 1)];
@@ -118,16 +124,15 @@ class ScanlineTeller {
 
 }  // namespace
 
-void printScanline(const std::string& scene, const std::string& polygon, const Picture& picture,
+void printScanline(const std::string& scene, const std::string& polygon, const Picture& picture, bool oneHue,
                    std::ostream& out) {
   const int face = faceNamed(picture, polygon);
-  if (face < 0)
-    throw std::invalid_argument{"--scanline: the picture of " + scene + " has no face " + polygon};
+  if (face < 0) throw std::invalid_argument{noFace(picture, scene, polygon)};
   const ScanlineRun run{picture, face};
   if (run.tooLarge())
     throw std::invalid_argument{"--scanline: face " + polygon + " has more than " +
                                 grouped(ScanlineRun::kMostSamples) + " samples: use a smaller --size"};
-  ScanlineTeller{run, out}.tell(scene);
+  ScanlineTeller{run, out}.tell(scene, oneHue);
 }
 
 }  // namespace xnewell

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "x11/drawing/wording.h"
+#include "x11/kit/typed_number.h"
 
 namespace xnewell {
 
@@ -52,6 +53,31 @@ int mostAdditions(const ScanlineRun& run) {
 }
 
 }  // namespace
+
+std::string nameOfFace(const Picture& picture, int face) {
+  const std::string name = faceName(picture, face);
+  return name.substr(0, name.find(','));
+}
+
+int faceNamed(const Picture& picture, const std::string& name) {
+  const auto& faces = picture.snapped().faces;
+  const std::optional<int> number = wholeNumber(name.substr(0, name.find('.')));
+  for (int f = 0; number && f < static_cast<int>(faces.size()); ++f)
+    if (faces[static_cast<std::size_t>(f)].number == *number &&
+        (name.find('.') == std::string::npos || nameOfFace(picture, f) == name))
+      return f;
+  return -1;
+}
+
+std::string noFace(const Picture& picture, const std::string& scene, const std::string& name) {
+  const std::string number = name.substr(0, name.find('.')), of = "--scanline: the picture of " + scene;
+  if (number == name || faceNamed(picture, number) < 0) return of + " has no face " + number;
+  const auto& faces = picture.snapped().faces;
+  const auto own = std::ranges::equal_range(faces, *wholeNumber(number), {}, &SnappedFace::number);
+  return of + " has no face " + name + ": of face " + number + " it has " +
+         counted(std::ssize(own), "convex part") + (own.size() > 1 ? ", from " : ", ") +
+         nameOfFace(picture, static_cast<int>(own.begin() - faces.begin()));
+}
 
 char letterOfCorner(int vertex) { return static_cast<char>('A' + vertex % 26); }
 
@@ -132,7 +158,7 @@ std::vector<PixelLine> pixelLines(const ScanlineRun& run, int step) {
   const std::string steppedCell = std::to_string(sample.steppedCell),
                     directCell = std::to_string(sample.directCell);
   if (run.isConstant()) {
-    lines.push_back({"one value", "for all samples of the polygon", fixed(sample.direct, 4), directCell});
+    lines.push_back({"one value", "for all samples", fixed(sample.direct, 4), directCell});
     return lines;
   }
   const Explanation e = run.explained(sample);
@@ -196,9 +222,8 @@ Finding findingOf(const ScanlineRun& run, const ScanlineRun* eight) {
             "It lies between the centres of the pixels, or outside the picture."};
   if (run.isConstant())
     return {"One value fills the polygon.",
-            "Only the edges are stepped: each row adds dx to x, and the samples between two edges get the "
-            "cell. S "
-            "chooses a method with steps along the row."};
+            "Only the edges are stepped: each row adds dx to x. S chooses a method that steps along the row, "
+            "too."};
   if (run.isTextured()) {
     double most = 0;
     for (const ScanSample& sample : run.samples()) {
@@ -227,6 +252,9 @@ Finding findingOf(const ScanlineRun& run, const ScanlineRun* eight) {
     double shortest = 1;
     for (const ScanSample& sample : run.samples())
       shortest = std::min(shortest, glm::length(run.explained(sample).sum));
+    if (const std::string length = fixed(shortest, 4); length == fixed(1.0, 4))
+      return {"The sum of N is stepped; here its length stays 1.",
+              "The corners have one N. Phong shading divides by the length at every pixel all the same."};
     return {"The sum of N is stepped; its length is not 1.",
             "It is as short as " + fixed(shortest, 4) +
                 " here, so Phong shading divides by the length at every pixel."};

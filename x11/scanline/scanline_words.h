@@ -11,6 +11,15 @@ namespace xnewell {
 
 /// The words and numbers of a polygon that is filled, for view 0 and for `trace --scanline`.
 
+/// "59.1" of "59.1, handle": the name of a face of the picture.
+[[nodiscard]] std::string nameOfFace(const Picture& picture, int face);
+/// The face of the picture with this name, an index into snapped().faces: "59.1", or "59" for its first part.
+/// -1 if there is none.
+[[nodiscard]] int faceNamed(const Picture& picture, const std::string& name);
+
+/// Says that the picture has no such face, or that the face has no such convex part.
+[[nodiscard]] std::string noFace(const Picture& picture, const std::string& scene, const std::string& name);
+
 /// "A": a corner of a part.
 [[nodiscard]] char letterOfCorner(int vertex);
 /// "A B": the ends of an edge of a part, as the outline runs.
@@ -47,6 +56,8 @@ struct PixelLine {
 [[nodiscard]] std::string valueInWords(const ScanlineRun& run);
 /// "Gouraud: I at the corners, along two edges, along the row"
 [[nodiscard]] std::string methodInWords(const ScanlineRun& run);
+/// What a run of a scene whose cells hold colours says: its cells are not those of explain and view 8.
+inline constexpr std::string_view kInOneHue = "in one hue";
 /// "row 161, pixel 55: value 120.2847, cell 120"
 [[nodiscard]] std::string stepInWords(const ScanlineRun& run, int step);
 /// All of it, a line each.

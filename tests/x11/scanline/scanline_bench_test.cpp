@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "tests/x11/support/ready_workbench.h"
+#include "x11/drawing/wording.h"
 #include "x11/scanline/scanline_code.h"
 
 namespace xnewell::THIS_FILE {
@@ -202,6 +204,37 @@ TEST(ScanlineBench, EightExplainsThePixel) {
   EXPECT_EQ(b.view(), WindowView::Pixel);
   EXPECT_NE(b.bench().status().find(": face " + std::to_string(face)), std::string::npos)
       << b.bench().status();
+}
+
+// The corners of a flat surface have one N, so no sum of them is short: the finding does not say that one is.
+// The words fit their box in a small window.
+TEST(ScanlineBench, AFlatSurfaceHasNoShortNormals) {
+  int flat = 0;
+  for (const char* scene : {"room", "teapot"}) {
+    ScanlineWindow b{Shading::Phong, scene};
+    const Finding finding = findingOf(b.run(), nullptr);
+    const bool says = finding.bold.find("its length is not 1") != std::string::npos;
+    double shortest = 1;
+    for (const ScanSample& sample : b.run().samples())
+      shortest = std::min(shortest, glm::length(b.run().explained(sample).sum));
+    EXPECT_EQ(says, shortest < 0.99995) << finding.bold << finding.why;
+    EXPECT_EQ(says, finding.why.find("as short as") != std::string::npos);
+    flat += !says;
+  }
+  EXPECT_EQ(flat, 1);
+  const Rect box = layoutOfScanline(layoutOf(800, 540).body).finding;
+  for (const Shading shading : {Shading::Full, Shading::Flat, Shading::Phong, Shading::Environment}) {
+    ScanlineWindow b{shading};
+    const Finding finding = findingOf(b.run(), nullptr);
+    EXPECT_LE(broken(finding.why, (box.width - 20) / 6).size(), 2u) << finding.why;
+  }
+}
+
+// Where the cells hold colours, the view and the trace say that they have one hue.
+TEST(ScanlineBench, SaysThatItHasOneHue) {
+  ScanlineWindow colored{Shading::Gouraud, "colored-lights"}, red;
+  EXPECT_NE(colored.bench().status().find(kInOneHue), std::string::npos) << colored.bench().status();
+  EXPECT_EQ(red.bench().status().find(kInOneHue), std::string::npos) << red.bench().status();
 }
 
 // The book's lines have the numbers of the step: exactly one runs, those of the row only at its first sample.

@@ -44,9 +44,23 @@ TEST_F(CommandTest, TracesAScanline) {
   EXPECT_EQ(edges, 6);
 }
 
+// A scene whose cells hold colours is traced in one hue, and says so.
+TEST_F(CommandTest, TracesColorsInOneHue) {
+  for (const char* scene : {"colored-lights", "teapot"}) {
+    const auto end = runProgram({"trace", scene, "--scanline", "410", "--size", "200x150"});
+    ASSERT_EQ(end.status, 0) << end.err;
+    const Json polygon = Json::parse(end.out.substr(0, end.out.find('\n')));
+    const bool colored = scene != std::string{"teapot"};
+    EXPECT_EQ(polygon.at("one_hue"), colored);
+    EXPECT_EQ(polygon.at("says").get<std::string>().find("one hue") != std::string::npos, colored);
+  }
+}
+
 // A polygon that is not there, or too large, is one line.
 TEST_F(CommandTest, RefusesScanlines) {
   refused({"trace", "cubes", "--scanline", "99"}, 2, "--scanline: the picture of cubes has no face 99");
+  refused({"trace", "cubes", "--scanline", "1.2"}, 2,
+          "--scanline: the picture of cubes has no face 1.2: of face 1 it has 1 convex part, 1");
   refused({"trace", "cubes", "--scanline", "one"}, 2,
           "--scanline: 'one' is not a row or a face, such as 59, or a part of a face, such as 59.2");
   refused({"trace", "cubes", "--scanline", "1", "--size", "2000x2000"}, 2,
