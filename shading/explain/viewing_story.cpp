@@ -159,7 +159,8 @@ ViewingStory::ViewingStory(const Picture& picture, FaceCorner of)
     const bool needsN = !lighting.onlyAmbient();
     here.equation = row.id == ViewStage::World ? equation(place, needsN ? N : glm::dvec3{0.0})
                                                : equation.behind(derivative, place, N);
-    if (!here.equation.lights.empty()) here.NdotL = here.equation.lights.front().NdotL;
+    if (!here.equation.lights.empty() && N != glm::dvec3{0.0})
+      here.NdotL = here.equation.lights.front().NdotL;
     here.I = luminanceOf(here.equation.I, lighting.channels);
     if (!colored)
       here.cell = picture.colors().tableOf(mesh.material[of.face]).cell(std::clamp(here.I, 0.0, 1.0));

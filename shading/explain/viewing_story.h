@@ -37,7 +37,7 @@ struct VertexAtStage {
   bool keepsAngles = true;
   /// The equation with N, L and V carried to this stage.
   ExplainedEquation equation;
-  /// N.L of the first light; none where all light is ambient.
+  /// N.L of the first light; none where all light is ambient, or where N is 0.
   std::optional<double> NdotL;
   double I = 0;             ///< the equation's sum, or the luminance of the three; it may exceed 1
   std::optional<int> cell;  ///< that the table has for it; none where the cells hold single colours

@@ -49,8 +49,10 @@
 #include "x11/scanline/scanline_trace.h"
 #include "x11/terminal/doing.h"
 #include "x11/terminal/memory.h"
+#include "x11/viewing/viewing_words.h"
 #include "x11/views/views.h"
 #include "x11/visual/x11_error.h"
+#include "x11/window/moot.h"
 
 namespace xnewell {
 
@@ -87,6 +89,7 @@ void explainPixel(const Options& options, Scene scene) {
   std::optional<Doing> drawing{"drawing"};
   const Picture picture = makePicture(std::move(scene), settings, CellPlan{settings.table.kind}[Cell::Well]);
   drawing.reset();
+  noteEmpty(std::cerr, picture);
   if (options.gave("--viewing")) {
     const FaceCorner vertex = vertexOf(picture, options.window.vertex.value_or(""));
     return (options.json ? printViewingAsJson : printViewing)(picture, vertex, std::cout);

@@ -6,7 +6,6 @@
 #include <ostream>
 
 #include "x11/drawing/wording.h"
-#include "x11/options/options.h"
 #include "x11/viewing/viewing_words.h"
 
 namespace xnewell {
@@ -97,22 +96,13 @@ std::string_view projectionOf(const Picture& picture) {
 
 }  // namespace
 
-FaceCorner vertexOf(const Picture& picture, const std::string& text) {
-  if (text.empty()) return middleCorner(picture);
-  const Mesh& mesh = picture.scene().mesh;
-  if (const std::optional<FaceCorner> vertex = cornerOf(mesh, text)) return *vertex;
-  throw UsageError{"--viewing: the scene has no vertex " + text + ": it has " +
-                   grouped(static_cast<std::int64_t>(mesh.points.size())) + " vertices" + " and " +
-                   counted(mesh.faceCount(), "face") + ", counted from 0, and corners from 1"};
-}
-
 void printViewing(const Picture& picture, const FaceCorner& vertex, std::ostream& out) {
   const ViewingStory story{picture, vertex};
   const double unit = lengthUnit(picture.scene());
   out << "vertex " << textOf(vertex) << " of " << titleOf(picture.scene()) << " at "
       << sizeText(picture.settings().width, picture.settings().height) << ": "
       << partOf(picture.scene(), vertex) << ", point " << story.point << " of the mesh; "
-      << projectionOf(picture) << '\n';
+      << projectionOf(picture) << lengthsInWords(picture.scene()) << '\n';
   std::string head = "stage";
   head.resize(kStageName, ' ');
   out << head;

@@ -110,6 +110,15 @@ class StagePen {
     if (!marked) square(half - 1, Cell::Well);
     (void)name_(p + glm::dvec2{9.0, -7.0}, name, Cell::White);
   }
+  /// Writes the names that have been placed: no line that is drawn before this crosses their letters.
+  void writeNames() {
+    for (const auto& [x, y, text, cell] : placed_) {
+      for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})  // a halo of the ground
+        paint_.text(x + dx, y + dy, text, pen_(Cell::Well));
+      paint_.text(x, y, text, pen_(cell));
+    }
+    placed_.clear();
+  }
   void dot(const glm::dvec3& place, int radius, Cell cell) {
     const glm::dvec2 p = onPaper(place);
     if (!std::isfinite(p.x + p.y)) return;
@@ -130,10 +139,7 @@ class StagePen {
     for (const Rect& other : names_)
       if (const Rect both = intersection(box, other); both.width > 0 && both.height > 0) return false;
     names_.push_back(box);
-    // A halo of the ground, so that no line crosses the letters.
-    for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
-      paint_.text(x + dx, y + dy, text, pen_(Cell::Well));
-    paint_.text(x, y, text, pen_(cell));
+    placed_.push_back({x, y, std::string{text}, cell});
     return true;
   }
 
@@ -143,6 +149,12 @@ class StagePen {
   const StageImage& image_;
   int unit_;
   std::vector<Rect> names_;
+  struct Placed {
+    int x, y;
+    std::string text;
+    Cell cell;
+  };
+  std::vector<Placed> placed_;
 };
 
 /// The vertex at a stage, divided by w.
@@ -294,6 +306,7 @@ const StageImage* drawStage(Pen& pen, const Rect& area, const OutsideView& view)
     if (handle.id == view.handle) lines.handle(handle.at, true, view.handleName);
   drawNames(lines, view, image.volume());
   drawAxes(lines, view, image.volume());
+  lines.writeNames();
   for (const HandleAt& handle : handles) lines.handle(handle.at, handle.id == view.handle, {});
   return &image;
 }

@@ -292,6 +292,9 @@ void ViewingBench::draw(Painter paint, const Desk& desk) {
     handles_ = handlesAt(*story_, picture.camera().view, stage_, *image_, lengthUnit(picture.scene()), unit_);
   pen.paint.text(outside_.x + 8, outside_.y + 17,
                  beginningOf(stageTitle(*story_, stage_), outside_.width - 16), pen(Cell::WellText));
+  const bool empty = picture.snapped().faces.empty();
+  if (empty)
+    pen.paint.text(outside_.x + 8, outside_.y + outside_.height - 24, kNothingShows, pen(Cell::WellText));
   for (const ViewStageRow& row : kViewStages) {
     const Rect& small = small_[static_cast<std::size_t>(row.id)];
     OutsideView one = view;
@@ -321,7 +324,9 @@ void ViewingBench::draw(Painter paint, const Desk& desk) {
   words_ = xnewell::inWords(page);
   const Control* const pointed = list_.hovered(all) ? list_.hovered(all) : list_.focused(all);
   const ViewingFinding finding = findingOf(*story_, stage_);
-  status_ = pointed && !pointed->is.empty() ? pointed->is : finding.heading;
+  status_ = pointed && !pointed->is.empty() ? pointed->is
+            : empty                         ? std::string{kNothingShows}
+                                            : finding.heading;
   aside_ = "vertex " + textOf(*vertex_) + " of " + partOf(picture.scene(), *vertex_);
 }
 

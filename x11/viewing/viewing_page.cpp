@@ -38,9 +38,9 @@ class StageTable {
 
   std::array<Rect, kViewStages.size()> draw() {
     const ViewingStory& s = story_;
-    const std::string which = "face " + std::to_string(s.vertex.face) + ", " +
-                              partOf(page_.view.picture.scene(), s.vertex) + ", corner " +
-                              std::to_string(s.vertex.corner + 1);
+    const std::string which =
+        "face " + std::to_string(s.vertex.face) + ", " + partOf(page_.view.picture.scene(), s.vertex) +
+        ", corner " + std::to_string(s.vertex.corner + 1) + lengthsInWords(page_.view.picture.scene());
     int y = section(pen_, at_.table.x, at_.table.y, at_.table.width, "a vertex and its plane",
                     at_.narrow ? which : which + "; click another, or press g");
     if (at_.narrow) y -= 2;
@@ -102,8 +102,8 @@ class StageTable {
       pen_.paint.textRight(column(columns().place[static_cast<std::size_t>(k)]), y,
                            one ? "1"
                                : fitted(p[k], decimals,
-                                        k == 3       ? decimals + 3
-                                        : at_.narrow ? 8
+                                        k == 3       ? (at_.narrow ? 5 : 7)
+                                        : at_.narrow ? 7
                                                      : 10),
                            pen_(Cell::Ink), voice);
     }
@@ -205,11 +205,11 @@ void drawFinding(Pen& pen, const Rect& box, const ViewingFinding& finding, int p
 
 }  // namespace
 
-void drawAngle(Pen& pen, const Rect& box, const ViewingStory& story, ViewStage stage) {
+void drawAngle(Pen& pen, const Rect& box, const ViewingStory& story, ViewStage stage, bool lit) {
   pen.paint.fillRect(box, pen(Cell::White));
   pen.paint.frame(box, pen(Cell::Rule));
   const VertexAtStage& here = story.of(stage);
-  const bool wrong = story.differsInNdotL(stage) || story.differsInI(stage);
+  const bool wrong = lit && (story.differsInNdotL(stage) || story.differsInI(stage));
   const Cell cell = wrong ? Cell::Alarm : Cell::Ink;
   const int right = box.x + box.width - 7, pitch = (box.height - 8) / 4;
   int y = box.y + pitch;
@@ -233,14 +233,15 @@ void drawAngle(Pen& pen, const Rect& box, const ViewingStory& story, ViewStage s
                std::clamp(at(ty + 7 * dy) + 4, box.y + 12, box.y + box.height - 4), name, pen(as),
                Voice::Bold);
   };
-  arrow(0.0, "N", Cell::Ink);
+  if (here.N != glm::dvec3{0.0}) arrow(0.0, "N", Cell::Ink);
   if (here.NdotL) {
     const double angle = std::acos(std::clamp(*here.NdotL, -1.0, 1.0));
     arrow(angle, "L", cell);
     paint.textRight(right, y += pitch, fixed(angle * 57.29577951308232, 1) + "\u00B0", pen(Cell::Soft));
   } else {
-    paint.textRight(right, y += pitch, "no L", pen(Cell::Soft));
+    paint.textRight(right, y += pitch, here.equation.lights.empty() ? "no L" : "no N", pen(Cell::Soft));
   }
+  if (!lit) return;
   paint.textRight(right, y += pitch, "I " + fixed(here.I, 3), pen(cell), Voice::Bold);
   if (!here.cell) return;
   paint.textRight(right - 26, y += pitch, std::to_string(*here.cell), pen(Cell::Soft));

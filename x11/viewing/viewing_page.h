@@ -40,8 +40,8 @@ std::array<Rect, kViewStages.size()> drawStageTable(Pen& pen, const ViewingLayou
 /// Draws the matrix below that line, and the light and the finding below the matrix.
 void drawMatrixAndLight(Pen& pen, const ViewingLayout& at, const ViewingPage& page, int baseline);
 
-/// N straight up and L at its true angle at a stage, with I and its cell.
-void drawAngle(Pen& pen, const Rect& box, const ViewingStory& story, ViewStage stage);
+/// N straight up and L at its true angle at a stage; if it is `lit`, with I and its cell.
+void drawAngle(Pen& pen, const Rect& box, const ViewingStory& story, ViewStage stage, bool lit = true);
 
 /// What the page says, a line each.
 [[nodiscard]] std::vector<std::string> inWords(const ViewingPage& page);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "x11/drawing/wording.h"
+#include "x11/options/options.h"
 
 namespace xnewell {
 
@@ -65,6 +66,21 @@ std::string three(double v) { return fixed(v, 3); }
 double lengthUnit(const Scene& scene) {
   constexpr int kMostExponent = 20;
   return std::abs(scene.exponent) > kMostExponent ? 1.0 : std::ldexp(1.0, -scene.exponent);
+}
+
+FaceCorner vertexOf(const Picture& picture, const std::string& text) {
+  if (text.empty()) return middleCorner(picture);
+  const Mesh& mesh = picture.scene().mesh;
+  if (const std::optional<FaceCorner> vertex = cornerOf(mesh, text)) return *vertex;
+  throw UsageError{"--viewing: the scene has no vertex " + text + ": it has " +
+                   grouped(static_cast<std::int64_t>(mesh.points.size())) + " vertices" + " and " +
+                   counted(mesh.faceCount(), "face") + ", counted from 0, and corners from 1"};
+}
+
+std::string lengthsInWords(const Scene& scene) {
+  return lengthUnit(scene) == std::ldexp(1.0, -scene.exponent)
+             ? ""
+             : "; lengths are multiples of 2^" + std::to_string(scene.exponent) + " of the file's";
 }
 
 std::string partOf(const Scene& scene, const FaceCorner& vertex) {
@@ -145,6 +161,10 @@ std::string planeWords(const ViewingStory& story) {
 
 ViewingFinding findingOf(const ViewingStory& story, ViewStage stage) {
   const VertexAtStage &here = story.of(stage), &world = story.world();
+  if (!world.NdotL && !world.equation.lights.empty())
+    return {true, "This face has no area.",
+            "It has no plane and no N, so only ambient light reaches it. I is " + three(world.I) +
+                " at every stage, and no picture shows it."};
   if (!world.NdotL)
     return {true, "All light is ambient.",
             "The equation asks for no N and no L, so I is " + three(world.I) + " at every stage."};

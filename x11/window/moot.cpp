@@ -56,7 +56,15 @@ bool hasArea(const Mesh& mesh, int face) {
   return glm::length(twice) > kRounded * longest;
 }
 
-/// Writes a note if the picture shows nothing, and says why.
+/// Writes a note if the front plane that nobody asked for cuts away something in view.
+void noteCut(std::ostream& out, const Picture& picture) {
+  if (const int cut = picture.camera().cutByFront; cut > 0)
+    out << "xnewell: note: the front plane cuts away " << counted(cut, "polygon")
+        << " in view, wholly or in part; --front moves it\n";
+}
+
+}  // namespace
+
 void noteEmpty(std::ostream& out, const Picture& picture) {
   const Mesh& mesh = picture.scene().mesh;
   int face = 0;
@@ -71,15 +79,6 @@ void noteEmpty(std::ostream& out, const Picture& picture) {
       << snapped.degenerate << " have no area on the screen, " << snapped.culled << " are culled, "
       << snapped.outside << " lie outside the view\n";
 }
-
-/// Writes a note if the front plane that nobody asked for cuts away something in view.
-void noteCut(std::ostream& out, const Picture& picture) {
-  if (const int cut = picture.camera().cutByFront; cut > 0)
-    out << "xnewell: note: the front plane cuts away " << counted(cut, "polygon")
-        << " in view, wholly or in part; --front moves it\n";
-}
-
-}  // namespace
 
 void noteMoot(std::ostream& out, const Options& options, const Picture& picture) {
   const PictureFacts facts = factsOf(picture);

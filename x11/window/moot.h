@@ -14,6 +14,9 @@ namespace xnewell {
 /// of the scene that the picture leaves out, and for a picture that shows nothing.
 void noteMoot(std::ostream& out, const Options& options, const Picture& picture);
 
+/// Writes a note if the picture shows nothing, and says why.
+void noteEmpty(std::ostream& out, const Picture& picture);
+
 /// The same for a control that has just changed `setup`: a sentence, or "" if the control has an effect.
 /// `picture` is the one before the change; the next one has the same scene and the same plan of colours.
 [[nodiscard]] std::string whyMoot(char control, const Picture& picture, const Setup& setup);

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <glm/geometric.hpp>
 #include <random>
 
 #include "shading/scene/units.h"
 #include "tests/support/model_view.h"
 #include "tests/support/seeds.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/x11/viewing/viewing_window.h"
 #include "x11/drawing/wording.h"
 #include "x11/viewing/view_controls.h"
@@ -41,6 +43,16 @@ TEST(ViewingBench, KeysAndThePointerChooseTheStage) {
   (void)b.grab(table.x + 40, table.y + 30 + 3 * b.places().pitch - 4);
   b.settle();
   EXPECT_EQ(b.viewing().stage(), 3);
+}
+
+// Where nothing of the scene shows, the view says so, and its numbers are numbers.
+TEST(ViewingBench, SaysThatNothingShows) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.file("point.json");
+  std::ofstream{scene} << R"({"objects":[{"polygons":[[[0,0,0],[0,0,0],[0,0,0]]]}]})";
+  ViewingWindow b{scene.c_str()};
+  EXPECT_EQ(b.bench().status(), kNothingShows);
+  for (const double number : numbersOf(b.camera().view)) EXPECT_TRUE(std::isfinite(number));
 }
 
 // A number that is typed becomes that number of the view, and all the others stay, to the last bit after the
