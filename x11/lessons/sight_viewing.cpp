@@ -21,7 +21,8 @@ void drawViewing(SightPen& pen) {
                    .programs = exhibit.shadedIn == ViewStage::World};
   (void)drawStage(pen, pen.at.picture, view);
 
-  // The picture, and the angles in the world and at the stage.
+  // The picture, and the angles in the world and at the stage. Where the picture's light is not computed, the
+  // box has no I: that may be what the step asks.
   constexpr int kGap = 14, kName = 18, kLeastBox = 148;
   const Rect& below = pen.at.below;
   const int boxes = std::min(170, std::max(kLeastBox, (below.width - 2 * kGap) / 3 - 10));
@@ -34,7 +35,8 @@ void drawViewing(SightPen& pen) {
   int x = small.x + small.width + kGap;
   for (const ViewStage stage :
        {ViewStage::World, exhibit.viewStage == ViewStage::World ? ViewStage::Vrc : exhibit.viewStage}) {
-    drawAngle(pen, {x, below.y, boxes, std::min(84, below.height - kName)}, story, stage);
+    drawAngle(pen, {x, below.y, boxes, std::min(84, below.height - kName)}, story, stage,
+              stage == ViewStage::World || stage == exhibit.shadedIn);
     x += boxes + kGap;
   }
 }

@@ -140,6 +140,30 @@ TEST(LessonBench, HidesTheOutcomeUntilAnAnswerIsGiven) {
   EXPECT_GE(changed, answers * 9 / 10);
 }
 
+// The angles at a stage stand beside a question about its light, but their outcome, in red, does not.
+TEST(LessonBench, AnglesDoNotTellTheOutcome) {
+  int told = 0, asked = 0;
+  LessonWindow window;
+  begin(window, "shading-before-shearing");
+  const auto alarms = [&] {
+    return std::ranges::count(sight(window).pixels, CellPlan{window.setup().picture.table.kind}[Cell::Alarm]);
+  };
+  for (int step = 0; step < static_cast<int>(window.bench.lesson()->steps.size()); ++step) {
+    const LessonStep& now = window.bench.lesson()->steps[static_cast<std::size_t>(step)];
+    if (!now.question || now.exhibit.shadedIn != ViewStage::World) continue;
+    window.bench.goTo(step);
+    window.draw();
+    EXPECT_EQ(alarms(), 0) << step;
+    ++asked;
+    window.press('a');
+    window.press(NamedKey::Return);
+    window.draw();
+    told += alarms() > 0;
+  }
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(told, 2);  // a turn keeps the light
+}
+
 // A step that was answered looks as it was left when it is visited again.
 TEST(LessonBench, AnswersAreRememberedByStep) {
   LessonWindow window;
