@@ -12,6 +12,7 @@
 #include "shading/explain/term_values.h"
 #include "x11/drawing/wording.h"
 #include "x11/pixel/pixel_words.h"
+#include "x11/viewing/viewing_words.h"
 
 namespace xnewell {
 
@@ -70,7 +71,7 @@ void printSurface(const PixelStory& story, const Explanation& e, std::ostream& o
       << rowOf(e.method).name << "\n      " << rowOf(e.method).evaluates << '\n';
   printVertices(e, out);
   if (e.method == Shading::Phong && e.sum != glm::dvec3{0.0})
-    out << "      weighted sum" << std::setw(36) << "" << componentsOf(e.sum)
+    out << "      weighted sum" << std::setw(37) << "" << componentsOf(e.sum)
         << (keepsLengthOfN(story.picture.settings()) ? "\n      it stays as long as it is, "
                                                      : "\n      divided by its length, ")
         << number(glm::length(e.sum)) << '\n';
@@ -85,8 +86,17 @@ void printSurface(const PixelStory& story, const Explanation& e, std::ostream& o
         << (e.place->away ? ", of the side that faces away\n" : "\n");
 }
 
-void printVectors(const ExplainedEquation& at, const Illumination& user, std::ostream& out) {
+void printVectors(const Picture& picture, const ExplainedEquation& at, std::ostream& out) {
+  const Illumination& user = picture.settings().light;
   const Form form = user.form;
+  const auto place = [&](const glm::dvec3& p) {
+    std::string all;
+    for (int axis = 0; axis < 3; ++axis)
+      all += (axis > 0 ? ", " : "") + fitted(p[axis] / lengthUnit(picture.scene()), kPixelDecimals, 11);
+    return all;
+  };
+  out << "        at " << place(at.P) << "; the eye is at " << place(picture.camera().eye)
+      << lengthsInWords(picture.scene()) << '\n';
   out << "        N " << componentsOf(at.N) << "\n        V " << componentsOf(at.V) << "   to the eye\n";
   for (std::size_t k = 0; k < at.lights.size(); ++k) {
     const ExplainedLight& light = at.lights[k];
@@ -121,7 +131,7 @@ void printEquation(const PixelStory& story, const Explanation& e, const Explaine
   if (at.lights.empty())
     out << "        no light but the ambient reaches the scene, so no normal counts\n";
   else
-    printVectors(at, user, out);
+    printVectors(story.picture, at, out);
 }
 
 void printEquations(const PixelStory& story, const Explanation& e, std::ostream& out) {
@@ -144,14 +154,16 @@ void printEquations(const PixelStory& story, const Explanation& e, std::ostream&
 
 void printTable(const PixelStory& story, const Explanation& e, std::ostream& out) {
   out << "4 table\n";
+  const auto verdictOfChain = [&] {
+    out << "      the picture has cell " << story.cell()
+        << " here: " << (story.isExplained() ? "the chain explains it" : "THE CHAIN DOES NOT EXPLAIN IT")
+        << '\n';
+  };
   if (story.inColors()) {
-    const Rgb16 held = story.picture.palette(CellPlan{story.picture.settings().table.kind})[story.cell()];
-    out << "      each channel is 1 + 254 I, rounded: " << e.value[0] << ", " << e.value[1] << ", "
-        << e.value[2] << "\n      the cells hold colours: cell " << story.cell() << " holds " << held.r
-        << ", " << held.g << ", " << held.b << " of 65535, "
-        << (story.picture.settings().dither ? "one of two colours that share these places (--dither)\n"
-                                            : "the nearest of them\n");
-    return;
+    const Palette palette = story.picture.palette(CellPlan{story.picture.settings().table.kind});
+    out << "      " << channelsInWords(e) << "\n      "
+        << heldInWords(story, palette[static_cast<std::size_t>(story.cell())]) << '\n';
+    return verdictOfChain();
   }
   if (e.luminance)
     out << "      one hue for all colours: the luminance 0.30 R + 0.59 G + 0.11 B is " << number(e.intensity)
@@ -167,9 +179,7 @@ void printTable(const PixelStory& story, const Explanation& e, std::ostream& out
         << (story.picture.settings().interpolated == Interpolated::Cell
                 ? ": it interpolates the numbers of cells\n"
                 : "\n");
-  out << "      the picture has cell " << story.cell()
-      << " here: " << (story.isExplained() ? "the chain explains it" : "THE CHAIN DOES NOT EXPLAIN IT")
-      << '\n';
+  verdictOfChain();
 }
 
 Json asJson(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
@@ -221,13 +231,14 @@ Json termsAsJson(const Explanation& e) {
 
 Json asJson(const PixelStory& story, const Explanation& e) {
   Json vertices = Json::array();
-  for (const ExplainedVertex& v : e.vertices)
+  for (const ExplainedVertex& v : e.vertices) {
     vertices.push_back({{"x", v.at.x},
                         {"y", v.at.y},
                         {"on_screen", v.onScreen},
                         {"in_world", v.inWorld},
-                        {"N", asJson(v.N)},
-                        {"I", asJson(v.I, e.channels)}});
+                        {"N", asJson(v.N)}});
+    if (e.method == Shading::Gouraud) vertices.back()["I"] = asJson(v.I, e.channels);
+  }
   Json equations = Json::array();
   for (const ExplainedEquation& one : e.equations) equations.push_back(asJson(one, e.channels));
   Json all{{"shading", rowOf(e.method).name},

@@ -130,7 +130,14 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
       ->type_name("");
   if (o.command == Command::Explain)
     app.add_option_function<std::string>(
-           "explained", [&](const std::string& s) { o.pixel = pixelOf("X,Y", s); }, "X,Y, a pixel of the picture")
+           "explained",
+           [&](const std::string& s) {
+             if (o.scene.find_first_not_of("0123456789,") == o.scene.npos &&
+                 o.scene.find(',') != o.scene.npos)
+               throw UsageError{"the scene comes first: xnewell explain " + s + ' ' + o.scene};
+             o.pixel = pixelOf("X,Y", s);
+           },
+           "X,Y, a pixel of the picture")
         ->type_name("");
   if (const std::string_view what = rowOf(o.command).takes; !what.empty())
     app.add_option_function<std::string>(

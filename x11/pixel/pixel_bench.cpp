@@ -192,7 +192,9 @@ KeyTable PixelBench::ownKeys() {
   add('k', "keep", "keep this pixel's numbers, to compare with what comes; or no longer", [this] {
     kept_ = kept_ ? std::nullopt : now_;
     late_ = true;
-    if (kept_)
+    if (kept_ && hidden_)
+      host_.tell("Kept. k forgets it.");
+    else if (kept_)
       host_.tell("Kept: I " + kept_->I + ", cell " + std::to_string(kept_->cell) + ". k forgets it.");
   });
   add(NamedKey::Return, "the stepper", "step through the depth sort",

@@ -22,6 +22,7 @@ Rect PixelPen::beside(int words, int linesBelow) const {
   if (!hasRoom(7) || at.column.width < 500) return {};
   const int left = at.column.y + at.column.height - (y - 11) - linesBelow * at.pitch;
   const int widest = at.column.width - words - 12;
+  if (widest < 5 * at.pitch) return {};
   const int height = std::max(7 * at.pitch - 4, std::min({left, at.column.height * 2 / 5, widest * 3 / 4}));
   const int width = std::min(widest, height * 4 / 3);
   return {right() - width, y - 11, width, height};
@@ -98,7 +99,8 @@ void PixelPen::equation() {
   const ExplainedEquation& of = *equation;
   const Illumination& user = story().picture.settings().light;
   const Form form = user.form;
-  constexpr int kBelow = 8;  // lines: the sum, the bar and the table
+  // Lines below: the sum, the bar and the table, which is short where the cells hold colours.
+  const int kBelow = story().inColors() ? 7 : 8;
   line(formulaOf(e(), user), true);
   if (const std::string wrong = mistakeWords(e(), user); !wrong.empty() && hasRoom(kBelow + 2)) {
     paint.text(x() + 12, y, "a mistake: " + wrong, (*this)(Cell::Alarm));
@@ -128,15 +130,29 @@ void PixelPen::equation() {
   }
   if (of.lights.empty()) line("No light but the ambient reaches the scene, so no normal counts.");
   if (!of.lights.empty() && hasRoom(kBelow)) line("N" + componentsOf(of.N) + "    V" + componentsOf(of.V));
-  for (std::size_t k = 0; k < of.lights.size() && hasRoom(kBelow + 1); ++k) {
+  for (std::size_t k = 0; k < of.lights.size(); ++k) {
+    const bool several = lights > 1;
+    const auto left = static_cast<std::int64_t>(of.lights.size() - k);
+    if (!hasRoom(kBelow + (several && left == 1 ? 1 : 2)) && k > 0) {
+      line("L and R of " + counted(left, "more light") + ": there is no room");
+      break;
+    }
+    if (!hasRoom(kBelow + 1)) break;
     const ExplainedLight& light = of.lights[k];
-    const std::string which = of.lights.size() > 1 ? " " + std::to_string(k + 1) : "";
-    line("L" + componentsOf(light.L) + "    N.L" + which + " " + numberOf(Predicted::NdotL, light.NdotL) +
+    const std::string which = several ? std::to_string(k + 1) : "";
+    const std::string L = "L" + which + componentsOf(light.L);
+    const bool hasR = form != Form::Tutorial && !hides(Predicted::NdotL) &&  // R would tell N.L
+                      (light.NdotL > 0.0 || rowOf(user.mistake).highlightBehind);
+    const std::string R =
+        hasR ? (form == Form::Textbook ? "R" : "H") + which + componentsOf(light.R) : std::string{};
+    if (several) {  // one line for each: their cosines are in the lines above
+      line(L + (hasR ? "    " + R : ""));
+      continue;
+    }
+    line(L + "    N.L " + numberOf(Predicted::NdotL, light.NdotL) +
          (light.NdotL > 0.0 || hides(Predicted::NdotL) ? "" : ": behind"));
-    if (hides(Predicted::NdotL)) continue;  // R would tell N.L
-    if (form != Form::Tutorial && (light.NdotL > 0.0 || rowOf(user.mistake).highlightBehind))
-      line(std::string{form == Form::Textbook ? "R" : "H"} + componentsOf(light.R) + "    " +
-           std::string{cosineName(form)} + which + " " + numberOf(Predicted::Cosine, light.cosine) +
+    if (hasR)
+      line(R + "    " + std::string{cosineName(form)} + ' ' + numberOf(Predicted::Cosine, light.cosine) +
            (hides(Predicted::Cosine) ? ""
             : light.counted == 0.0   ? ", counts as 0"
                                      : ", its power " + number(light.power)));
@@ -150,16 +166,21 @@ void PixelPen::table() {
   section("4 table", "");
   const bool shown = page.chosen == story().history.shown;
   if (hides(Predicted::I)) return line("?");
+  const auto verdictOfChain = [&] {
+    if (!shown || !hasRoom()) return;
+    const int end = bold(ink(x(), y, "the picture has cell "), y, std::to_string(story().cell()));
+    if (story().isExplained()) {
+      paint.tick(ink(end, y, " here: the chain explains it ") + 4, y - 8, (*this)(Cell::Good));
+    } else {
+      paint.text(end, y, " here, and the chain does not end there", (*this)(Cell::Alarm));
+    }
+    y += at.pitch;
+  };
   if (story().inColors()) {
-    line("each channel is 1 + 254 I, rounded: " + std::to_string(e().value[0]) + ", " +
-         std::to_string(e().value[1]) + ", " + std::to_string(e().value[2]));
-    const Rgb16 held = page.palette[static_cast<std::size_t>(story().cell())];
-    if (shown)
-      line("the cells hold colours; cell " + std::to_string(story().cell()) + ", " +
-           (story().picture.settings().dither ? "one of two that share these places" : "the nearest") +
-           ", holds " + std::to_string(held.r) + ", " + std::to_string(held.g) + ", " +
-           std::to_string(held.b));
-    return;
+    line(channelsInWords(e()));
+    if (!shown) return;
+    line(heldInWords(story(), page.palette[static_cast<std::size_t>(story().cell())]));
+    return verdictOfChain();
   }
   if (e().luminance)
     line("one hue: the luminance 0.30 R + 0.59 G + 0.11 B of " + fixed(e().I[0], 2) + ", " +
@@ -189,14 +210,7 @@ void PixelPen::table() {
   const Rgb16 stored = page.palette[static_cast<std::size_t>(e().value[0])];
   line(words.range + "; it holds " + std::to_string(stored.r) + ", " + std::to_string(stored.g) + ", " +
        std::to_string(stored.b));
-  if (!shown || !hasRoom()) return;
-  const int end = bold(ink(x(), y, "the picture has cell "), y, std::to_string(story().cell()));
-  if (story().isExplained()) {
-    paint.tick(ink(end, y, " here: the chain explains it ") + 4, y - 8, (*this)(Cell::Good));
-  } else {
-    paint.text(end, y, " here, and the chain does not end there", (*this)(Cell::Alarm));
-  }
-  y += at.pitch;
+  verdictOfChain();
 }
 
 }  // namespace xnewell

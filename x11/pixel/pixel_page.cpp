@@ -101,8 +101,11 @@ void PixelPen::surface() {
     }
     line(text);
   }
-  if (e().method == Shading::Phong && e().sum != glm::dvec3{0.0})
-    line("weighted sum, length " + number(glm::length(e().sum)) + "      " + componentsOf(e().sum));
+  if (e().method == Shading::Phong && e().sum != glm::dvec3{0.0}) {
+    std::string text = "weighted sum, length " + number(glm::length(e().sum));
+    text.resize(36, ' ');
+    line(text + componentsOf(e().sum));
+  }
   if (e().texel)
     line("texel: u " + number(e().texel->u) + ", v " + number(e().texel->v) + ", leaves " +
          number(e().texel->share[page.channel]) + " of the diffuse term");
@@ -124,11 +127,11 @@ void PixelPen::facts() {
     const std::string name = faceName(story().picture, shown->face);
     const std::size_t comma = name.find(", ");
     fact("face", name.substr(0, comma));
-    fact("part", beginningOf(name.substr(comma + 2), end - left - 36));
+    if (comma != std::string::npos) fact("part", beginningOf(name.substr(comma + 2), end - left - 36));
   }
   fact("cell", hides(Predicted::Cell) ? "?" : std::to_string(story().cell()));
   if (story().shown()) fact("I", hides(Predicted::I) ? "?" : intensityWords(story(), *story().shown()));
-  if (!page.before) return;
+  if (!page.before || page.asked) return;  // it may be the value that is asked
   fact("before: cell", std::to_string(page.before->cell));
   fact("I", page.before->I);
 }

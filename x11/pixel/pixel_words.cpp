@@ -1,20 +1,58 @@
 #include "x11/pixel/pixel_words.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <numeric>
 
 #include "shading/explain/rounded_terms.h"
 #include "shading/explain/term_values.h"
+#include "shading/picture/cell_use.h"
 #include "x11/drawing/wording.h"
 
 namespace xnewell {
+
+namespace {
+
+/// A channel's value, 1 to 255, as a part of a colour, 0 to 255.
+int partOfColor(int value) { return (255 * (value - 1) + 127) / 254; }
+int partOfColor(std::uint16_t held) { return (held + 128) / 257; }
+
+std::array<int, 3> wantedColor(const Explanation& e) {
+  return {partOfColor(e.value[0]), partOfColor(e.value[1]), partOfColor(e.value[2])};
+}
+std::array<int, 3> heldColor(const Rgb16& held) {
+  return {partOfColor(held.r), partOfColor(held.g), partOfColor(held.b)};
+}
+std::string colorInWords(const std::array<int, 3>& color) {
+  return std::to_string(color[0]) + ", " + std::to_string(color[1]) + ", " + std::to_string(color[2]);
+}
+
+}  // namespace
 
 PixelStory::PixelStory(const Picture& of, int column, int row)
     : picture{of}, i{column}, j{row}, history{historyOf(of, column, row)} {
   PixelExplainer explain{of};
   for (const PaintedHere& one : history.painted) explained.push_back(explain(one.fragment.face, i, j));
+}
+
+bool PixelStory::isExplained() const {
+  if (!shown()) return true;
+  if (!inColors()) return shown()->value[0] == cell();
+  if (picture.settings().dither) return true;
+  const Palette palette = picture.palette(CellPlan{picture.settings().table.kind});
+  const std::array<int, 3> wanted = wantedColor(*shown());
+  const auto distance = [&](int cell) {
+    const std::array<int, 3> held = heldColor(palette[static_cast<std::size_t>(cell)]);
+    int sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) sum += (held[c] - wanted[c]) * (held[c] - wanted[c]);
+    return sum;
+  };
+  const CellRange cells = sceneCells(picture);
+  for (int other = cells.first; other <= cells.last(); ++other)
+    if (distance(other) < distance(cell())) return false;
+  return true;
 }
 
 std::string_view PixelStory::verdict() const {
@@ -154,7 +192,7 @@ std::string sumOf(const ExplainedEquation& at, int c, bool together, std::option
   }
   if (known) return text + " = ?";
   const double sum = std::accumulate(rounded.begin(), rounded.end(), 0.0);
-  return text + " = " + fixed(sum, kPixelDecimals) +
+  return text + (rounded.size() > 1 ? " = " + fixed(sum, kPixelDecimals) : "") +
          (at.I[c] > 1.0   ? ", clamped to 1"
           : at.I[c] < 0.0 ? ", clamped to 0"
                           : "");
@@ -191,6 +229,17 @@ PickedWords pickedWords(const PixelStory& story, const Explanation& e) {
               std::to_string(e.value[0]),
           "that shade is for " + fixed(picked.from, decimals) + (last ? " <= I <= " : " <= I < ") +
               fixed(picked.to, decimals)};
+}
+
+std::string channelsInWords(const Explanation& e) {
+  return "each channel is 1 + 254 I, rounded: " + colorInWords(e.value) + "; as a colour " +
+         colorInWords(wantedColor(e));
+}
+
+std::string heldInWords(const PixelStory& story, const Rgb16& held) {
+  return (story.picture.settings().dither ? "one of two colours that share these places: cell "
+                                          : "the nearest colour that a cell holds: cell ") +
+         std::to_string(story.cell()) + " has " + colorInWords(heldColor(held)) + " of 255";
 }
 
 std::vector<std::string> shortStory(const PixelStory& story, int chosen) {

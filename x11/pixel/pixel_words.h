@@ -32,8 +32,9 @@ struct PixelStory {
   [[nodiscard]] int cell() const { return picture.image().row(j)[i]; }
   /// True if the cells hold single colours, so there is no shade to explain.
   [[nodiscard]] bool inColors() const { return channelsOf(picture.colors().plan()) == Channels::Rgb; }
-  /// True if the chain ends in the picture's cell.
-  [[nodiscard]] bool isExplained() const { return !shown() || inColors() || shown()->value[0] == cell(); }
+  /// True if the chain ends in the picture's cell. Where the cells hold single colours, no other one is
+  /// nearer to the wanted colour; with dithering, neighbours share a place.
+  [[nodiscard]] bool isExplained() const;
   /// One word: ground, shaded, clamped or wrong face.
   [[nodiscard]] std::string_view verdict() const;
 };
@@ -76,6 +77,12 @@ struct PickedWords {
   std::string picks, range;
 };
 [[nodiscard]] PickedWords pickedWords(const PixelStory& story, const Explanation& e);
+
+/// Where the cells hold single colours: "each channel is 1 + 254 I, rounded: 128, 129, 19; as a
+/// colour 128, 129, 18".
+[[nodiscard]] std::string channelsInWords(const Explanation& e);
+/// "the nearest colour that a cell holds: cell 135 has 129, 137, 19 of 255".
+[[nodiscard]] std::string heldInWords(const PixelStory& story, const Rgb16& held);
 
 /// A polygon of the history, an index into history.painted, in a few lines: its intensity and the formula
 /// with the numbers put in, and the cell that is picked.

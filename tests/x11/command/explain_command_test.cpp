@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 
 #include "tests/support/seeds.h"
 #include "tests/x11/support/command_fixture.h"
@@ -68,6 +70,16 @@ TEST_F(CommandTest, ExplainsMistakes) {
   lines("Ia-twice", {"I = 2 ka Ia + f Ip [", "= 2 x 0.90 x 0.20 + 1.0000 x 0.70 ["});
 }
 
+// Without ambient light the surface keeps its ka; without any other light the sum has one term, written once.
+TEST_F(CommandTest, ExplainsWithoutAmbientLight) {
+  const auto dark = runProgram(kPixel + Strings{"--ia", "0"});
+  EXPECT_NE(dark.out.find("= 0.90 x 0.00 + "), std::string::npos) << dark.out;
+  const Json e = Json::parse(runProgram(kPixel + Strings{"--ia", "0", "--json"}).out);
+  EXPECT_DOUBLE_EQ(e.at("equations").at(0).at("ka").get<double>(), 0.9);
+  const auto ambient = runProgram(kPixel + Strings{"--ia", "0.3", "--ip", "0"});
+  EXPECT_NE(ambient.out.find("= 0.90 x 0.30\n        = 0.2700\n"), std::string::npos) << ambient.out;
+}
+
 // The cell is that of the picture that `draw` writes, for every method, with textures, colours and lights.
 TEST_F(CommandTest, ExplainsWhatDrawWrites) {
   for (const char* scene : someOf({"teapot", "hues", "colored-lights", "textured-cube", "spotlight"}, 2))
@@ -85,6 +97,40 @@ TEST_F(CommandTest, ExplainsWhatDrawWrites) {
       EXPECT_EQ(told.status, 0) << told.err;
       EXPECT_NE(told.out.find("the chain explains it"), std::string::npos) << told.out;
     }
+}
+
+// Where the cells hold colours, the chain ends in the nearest of them. Both colours have one unit.
+TEST_F(CommandTest, ExplainsColors) {
+  for (const char* scene : someOf({"colored-lights", "textured-cube"}, 1)) {
+    const auto end = runProgram({"explain", scene, "400,300"});
+    ASSERT_EQ(end.status, 0) << end.err;
+    EXPECT_NE(end.out.find("here: the chain explains it\n"), std::string::npos) << end.out;
+    std::array<int, 3> wanted{}, held{};
+    const auto read = [&](const char* before, std::array<int, 3>& color) {
+      const std::size_t at = end.out.find(before);
+      ASSERT_NE(at, std::string::npos) << before << end.out;
+      ASSERT_EQ(std::sscanf(end.out.c_str() + at + std::strlen(before), "%d, %d, %d", &color[0], &color[1],
+                            &color[2]),
+                3);
+    };
+    read("; as a colour ", wanted);
+    read(" has ", held);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_LT(std::abs(wanted[c] - held[c]), 24) << end.out;
+  }
+}
+
+// The vertices have an intensity where it is computed there, and a face without a name has a number alone.
+TEST_F(CommandTest, ExplainsVerticesAndNames) {
+  const std::string scene = write("triangle.obj", kTriangleObj);
+  for (const char* method : {"gouraud", "phong"}) {
+    const auto end = runProgram({"explain", scene, "400,300", "--shade", method, "--json"});
+    ASSERT_EQ(end.status, 0) << end.err;
+    const Json e = Json::parse(end.out);
+    EXPECT_EQ(e.at("vertices").size(), 3u);
+    for (const Json& vertex : e.at("vertices"))
+      EXPECT_EQ(vertex.contains("I"), std::string{method} == "gouraud") << vertex;
+    EXPECT_EQ(e.at("history").at(0).at("name"), "0");
+  }
 }
 
 TEST_F(CommandTest, ExplainsGroundAndAWrongFace) {
@@ -152,10 +198,24 @@ TEST_F(CommandTest, ExplainsTheViewingOfAnyVertex) {
     }
 }
 
+// A scene without area has a view, but no plane and no N: no stage is blamed for its light, and the picture
+// is said to be empty.
+TEST_F(CommandTest, ExplainsTheViewingOfNoArea) {
+  const std::string scene = write("point.json", R"({"objects":[{"polygons":[[[0,0,0],[0,0,0],[0,0,0]]]}]})");
+  const auto end = runProgram({"explain", scene, "--viewing"});
+  EXPECT_EQ(end.status, 0);
+  EXPECT_EQ(end.err, "xnewell: note: the picture is empty: no face has an area\n");
+  EXPECT_NE(end.out.find("2 VRC: This face has no area."), std::string::npos) << end.out;
+  EXPECT_EQ(end.out.find("Shade in the world"), std::string::npos) << end.out;
+  EXPECT_NE(end.out.find("6 viewport    400.0000   300.0000"), std::string::npos) << end.out;
+  EXPECT_EQ(runProgram({"explain", scene, "400,300"}).err, end.err);
+}
+
 TEST_F(CommandTest, ExplainRefuses) {
   refused({"explain"}, 2, "explain needs a scene, such as teapot");
   refused({"explain", "teapot"}, 2,
           "explain needs a pixel X,Y of the picture, such as 400,300: xnewell explain teapot 400,300");
+  refused({"explain", "300,200", "teapot"}, 2, "the scene comes first: xnewell explain teapot 300,200");
   refused({"explain", "teapot", "800,3"}, 2, "pixel 800,3 lies outside the picture of 800x600");
   refused({"explain", "teapot", "1e2,3"}, 2,
           "X,Y: '1e2,3' is not a pixel X,Y: two whole numbers from 0, counted from the top left");

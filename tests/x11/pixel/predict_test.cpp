@@ -147,6 +147,23 @@ TEST(Predict, AsksAndScores) {
             "Right: the cell is " + std::to_string(cell) + ". 1 of 2 right at the first try.");
 }
 
+// What was kept is hidden while a number is asked: it may be that number.
+TEST(Predict, HidesWhatWasKept) {
+  Asked plain, kept;
+  press(kept.bench, "k");
+  kept.draws();
+  EXPECT_NE(kept.image, plain.image);
+  plain.predicts(), kept.predicts();
+  EXPECT_EQ(kept.image, plain.image);
+  kept.showsAll();
+  EXPECT_NE(kept.image, plain.image);
+
+  plain.predicts();
+  const int cell = kept.bench.inspected().value();
+  press(plain.bench, "k");
+  EXPECT_EQ(plain.notices.back().find(std::to_string(cell)), std::string::npos) << plain.notices.back();
+}
+
 // While a number is asked no other line gives it away: each value of the chain hides what follows from it.
 TEST(Predict, TheWrittenSumHidesWhatIsAsked) {
   const Picture picture = made(Shading::Phong);
