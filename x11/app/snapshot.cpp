@@ -1,5 +1,6 @@
 #include "x11/app/snapshot.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -11,9 +12,12 @@
 #include "x11/app/server.h"
 #include "x11/app/workbench.h"
 #include "x11/options/carried_setup.h"
+#include "x11/options/options_check.h"
+#include "x11/scanline/scanline_words.h"
 #include "x11/server/fill_polygons.h"
 #include "x11/server/read_cells.h"
 #include "x11/server/read_visuals.h"
+#include "x11/viewing/viewing_words.h"
 #include "x11/views/views.h"
 
 namespace xnewell {
@@ -39,6 +43,28 @@ void present(Server& server, Canvas& canvas, const Shot& shot, Fill fill) {
     for (const Rect& part : shot.over) canvas.upload(shot.image, part);
   }
   canvas.expose(all);
+}
+
+/// Refuses a place where the window does not begin, unless a picture carries it: that may have had another
+/// size.
+void refuseOtherPlace(const Options& o, const Workbench& bench) {
+  const WindowPlace &asked = o.window, shown = bench.place();
+  const auto asks = [&](std::string_view option) {
+    return o.gave(option) && std::ranges::find(o.carried, option) == o.carried.end();
+  };
+  const auto same = [&](std::string_view option, int wanted, int nearest) {
+    if (wanted != nearest)
+      throw UsageError{std::string{option} + ' ' + std::to_string(wanted) + " is not in --view " +
+                       o.viewName + ": the nearest is " + std::to_string(nearest)};
+  };
+  const PictureSettings& settings = bench.picture().settings();
+  if (asks("--pixel") && asked.pixel != shown.pixel)
+    refuseOutside(*asked.pixel, {settings.width, settings.height});
+  if (asks("--viewing")) (void)vertexOf(bench.picture(), asked.vertex.value_or(""));
+  if (asks("--scanline") && shown.scanline) same("--scanline", *asked.scanline, *shown.scanline);
+  if (asks("--scanline") && shown.polygon && faceNamed(bench.picture(), *asked.polygon) < 0)
+    throw UsageError{noFace(bench.picture(), o.scene, *asked.polygon)};
+  if (asks("--step")) same("--step", asked.step, shown.step);
 }
 
 }  // namespace
@@ -77,6 +103,7 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
     if (bench.view() == WindowView::Trade)
       for (; bench.moving(); bench.tick()) std::this_thread::sleep_for(std::chrono::milliseconds{20});
     for (int k = 0; k == 0 || (k < 3 && bench.stale() != Workbench::Stale::Nothing); ++k) bench.update();
+    refuseOtherPlace(options, bench);
     shoot({bench.picture(), bench.image(), bench.palette(), bench.plan(), bench.pictureArea(),
            bench.overPicture()});
     return;

@@ -159,8 +159,7 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   exclude(explains && o.pixel, o.gave("--viewing"), "a pixel and --viewing");
   if (const glm::ivec2 size = o.size.value_or(kPictureSize);
       o.pixel && (o.pixel->x >= size.x || o.pixel->y >= size.y))
-    throw UsageError{"pixel " + std::to_string(o.pixel->x) + "," + std::to_string(o.pixel->y) +
-                     " lies outside the picture of " + std::to_string(size.x) + "x" + std::to_string(size.y)};
+    refuseOutside(*o.pixel, size);
   if (figure) checkFigure(o);
   if (makesPng && o.output.empty()) throw UsageError{name + " needs -o FILE.png"};
   constexpr std::array<std::string_view, 8> kOtherPictures{".jpg", ".jpeg", ".gif", ".bmp",
@@ -193,6 +192,7 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
     exclude(writes, !o.answers.empty(), how + " and --answers");
     exclude(writes, o.gave("--step"), how + " and --step");
     if (o.gave("--step") && !sceneGiven) throw UsageError{"--step needs a lesson's name"};
+    if (o.gave("--step") && o.window.step < 1) throw UsageError{"--step: the steps of a lesson count from 1"};
     exclude(!o.frames.empty(), !o.worksheet.empty(), "--frames and --worksheet");
     needsWindow("a lesson", o);
   }
@@ -262,6 +262,11 @@ void checkCamera(const CameraSettings& c) {
 }
 
 }  // namespace
+
+void refuseOutside(const glm::ivec2& pixel, const glm::ivec2& size) {
+  throw UsageError{"pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y) +
+                   " lies outside the picture of " + std::to_string(size.x) + "x" + std::to_string(size.y)};
+}
 
 void checkUsage(const Options& o, const std::vector<OptionRow>& rows) {
   checkCommand(o, rows);

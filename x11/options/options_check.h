@@ -15,4 +15,7 @@ void checkUsage(const Options& options, const std::vector<OptionRow>& rows);
 /// What settle() made of it.
 void checkSettings(const Options& options);
 
+/// Refuses a pixel of a picture that has this size. @throws UsageError
+[[noreturn]] void refuseOutside(const glm::ivec2& pixel, const glm::ivec2& size);
+
 }  // namespace xnewell

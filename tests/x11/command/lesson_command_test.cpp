@@ -84,6 +84,7 @@ TEST_F(LessonCommand, Refusals) {
   refused({"lesson", "cycles", "--frames", folder, "--visual", "GrayScale8"}, 2,
           "--visual needs a server, and lesson --frames uses none");
   refused({"lesson", "cycles", "--step", "9"}, 2, "--step: the lesson has 6 steps");
+  refused({"lesson", "cycles", "--step", "0"}, 2, "--step: the steps of a lesson count from 1");
   refused({"lesson", "--worksheet", folder}, 2, "--worksheet needs a lesson's name");
   refused({"lesson", "cycles", "--worksheet", file("no/w.html")}, 1,
           file("no/w.html") + ": No such file or directory");

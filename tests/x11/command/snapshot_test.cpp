@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -196,6 +197,30 @@ TEST(Snapshot, WholeWindowIsTheSameAtBothDepths) {
                    two = pictureOf("snapshot " + line, deep.name());
     ASSERT_EQ(std::pair(one.width, one.height), std::pair(w, h));
     EXPECT_EQ(cropped(one, part), cropped(two, part));
+  }
+}
+
+// A place that the view does not have is refused in one line, and no picture is written: a window would move
+// it without a word.
+TEST(Snapshot, RefusesOtherPlaces) {
+  const XServer server = XServer::xvfb(24);
+  const TemporaryFolder folder;
+  const std::string file = folder.file("picture.png");
+  for (const auto& [place, why] :
+       {std::pair{"pixel --pixel 900,900", "pixel 900,900 lies outside the picture of 404x269"},
+        {"viewing --step 9", "--step 9 is not in --view viewing: the nearest is 7"},
+        {"viewing --viewing 99999", "--viewing: the scene has no vertex 99999: it has "},
+        {"scanline --scanline 99999", "--scanline: the picture of teapot has no face 99999"},
+        {"scanline --step 99999", "--step 99999 is not in --view scanline: the nearest is "}}) {
+    SCOPED_TRACE(place);
+    std::vector<std::string> line =
+        words("snapshot teapot --divisions 3 --whole-window --size 1024x768 --view " + std::string{place});
+    line.insert(line.end(), {"-o", file});
+    const Finished done = runProgram(line, server.name());
+    EXPECT_EQ(done.status, 2);
+    EXPECT_TRUE(done.err.starts_with("xnewell: " + std::string{why})) << done.err;
+    EXPECT_EQ(std::ranges::count(done.err, '\n'), 1) << done.err;
+    EXPECT_FALSE(std::filesystem::exists(file));
   }
 }
 
