@@ -91,7 +91,10 @@ class ViewControls {
         angle_{angle},
         unit_{lengthUnit(subject.scene)},
         file_{std::ldexp(unit_, subject.scene.exponent)},
-        side_{std::max(boxOf(subject.scene.mesh.points).side() / unit_, 1e-12)} {}
+        side_{boxOf(subject.scene.mesh.points).side() / unit_} {
+    if (!(side_ > 0.0)) side_ = 1.0;  // as the camera has it for a single point
+    side_ = std::max(side_, 1e-12);
+  }
 
   Controls make() {
     addProjection();

@@ -123,7 +123,7 @@ TEST_F(CommandTest, ExplainsColors) {
 TEST_F(CommandTest, ExplainsVerticesAndNames) {
   const std::string scene = write("triangle.obj", kTriangleObj);
   for (const char* method : {"gouraud", "phong"}) {
-    const auto end = runProgram({"explain", scene, "400,300", "--shade", method, "--json"});
+    const auto end = runProgram({"explain", scene, "300,350", "--shade", method, "--json"});
     ASSERT_EQ(end.status, 0) << end.err;
     const Json e = Json::parse(end.out);
     EXPECT_EQ(e.at("vertices").size(), 3u);
@@ -207,7 +207,7 @@ TEST_F(CommandTest, ExplainsTheViewingOfNoArea) {
   EXPECT_EQ(end.err, "xnewell: note: the picture is empty: no face has an area\n");
   EXPECT_NE(end.out.find("2 VRC: This face has no area."), std::string::npos) << end.out;
   EXPECT_EQ(end.out.find("Shade in the world"), std::string::npos) << end.out;
-  EXPECT_NE(end.out.find("6 viewport    400.0000   300.0000"), std::string::npos) << end.out;
+  EXPECT_NE(end.out.find("6 viewport     400.0000   300.0000"), std::string::npos) << end.out;
   EXPECT_EQ(runProgram({"explain", scene, "400,300"}).err, end.err);
 }
 

@@ -150,7 +150,7 @@ TEST(Predict, AsksAndScores) {
 // What was kept is hidden while a number is asked: it may be that number.
 TEST(Predict, HidesWhatWasKept) {
   Asked plain, kept;
-  press(kept.bench, "k");
+  kept.press(kept.bench, "k");
   kept.draws();
   EXPECT_NE(kept.image, plain.image);
   plain.predicts(), kept.predicts();
@@ -160,7 +160,7 @@ TEST(Predict, HidesWhatWasKept) {
 
   plain.predicts();
   const int cell = kept.bench.inspected().value();
-  press(plain.bench, "k");
+  plain.press(plain.bench, "k");
   EXPECT_EQ(plain.notices.back().find(std::to_string(cell)), std::string::npos) << plain.notices.back();
 }
 

@@ -210,7 +210,7 @@ TEST(ScanlineBench, EightExplainsThePixel) {
 // The words fit their box in a small window.
 TEST(ScanlineBench, AFlatSurfaceHasNoShortNormals) {
   int flat = 0;
-  for (const char* scene : {"room", "teapot"}) {
+  for (const char* scene : {"colored-lights", "teapot"}) {
     ScanlineWindow b{Shading::Phong, scene};
     const Finding finding = findingOf(b.run(), nullptr);
     const bool says = finding.bold.find("its length is not 1") != std::string::npos;
