@@ -121,7 +121,8 @@ TEST_F(CommandTest, ExplainsColors) {
 
 // The vertices have an intensity where it is computed there, and a face without a name has a number alone.
 TEST_F(CommandTest, ExplainsVerticesAndNames) {
-  const std::string scene = write("triangle.obj", kTriangleObj);
+  const std::string scene =
+      write("triangle.json", R"({"objects":[{"polygons":[[[0,0,0],[1,0,0],[0,1,0]]]}]})");
   for (const char* method : {"gouraud", "phong"}) {
     const auto end = runProgram({"explain", scene, "300,350", "--shade", method, "--json"});
     ASSERT_EQ(end.status, 0) << end.err;
