@@ -95,8 +95,9 @@ void printVectors(const Picture& picture, const ExplainedEquation& at, std::ostr
       all += (axis > 0 ? ", " : "") + fitted(p[axis] / lengthUnit(picture.scene()), kPixelDecimals, 11);
     return all;
   };
-  out << "        at " << place(at.P) << "; the eye is at " << place(picture.camera().eye)
-      << lengthsInWords(picture.scene()) << '\n';
+  out << "        at " << place(at.P) << "; the eye is at " << place(picture.camera().eye) << '\n';
+  if (const std::string lengths = lengthsInWords(picture.scene()); !lengths.empty())
+    out << "        " << lengths << '\n';
   out << "        N " << componentsOf(at.N) << "\n        V " << componentsOf(at.V) << "   to the eye\n";
   for (std::size_t k = 0; k < at.lights.size(); ++k) {
     const ExplainedLight& light = at.lights[k];

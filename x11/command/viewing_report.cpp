@@ -102,7 +102,8 @@ void printViewing(const Picture& picture, const FaceCorner& vertex, std::ostream
   out << "vertex " << textOf(vertex) << " of " << titleOf(picture.scene()) << " at "
       << sizeText(picture.settings().width, picture.settings().height) << ": "
       << partOf(picture.scene(), vertex) << ", point " << story.point << " of the mesh; "
-      << projectionOf(picture) << lengthsInWords(picture.scene()) << '\n';
+      << projectionOf(picture) << '\n';
+  if (const std::string lengths = lengthsInWords(picture.scene()); !lengths.empty()) out << lengths << '\n';
   std::string head = "stage";
   head.resize(kStageName, ' ');
   out << head;

@@ -293,8 +293,11 @@ void ViewingBench::draw(Painter paint, const Desk& desk) {
   pen.paint.text(outside_.x + 8, outside_.y + 17,
                  beginningOf(stageTitle(*story_, stage_), outside_.width - 16), pen(Cell::WellText));
   const bool empty = picture.snapped().faces.empty();
-  if (empty)
-    pen.paint.text(outside_.x + 8, outside_.y + outside_.height - 24, kNothingShows, pen(Cell::WellText));
+  const std::string lengths = lengthsInWords(picture.scene());
+  int last = outside_.y + outside_.height - 24;
+  for (const std::string_view line : {empty ? kNothingShows : "", std::string_view{lengths}})
+    if (!line.empty())
+      pen.paint.text(outside_.x + 8, std::exchange(last, last - 16), line, pen(Cell::WellText));
   for (const ViewStageRow& row : kViewStages) {
     const Rect& small = small_[static_cast<std::size_t>(row.id)];
     OutsideView one = view;

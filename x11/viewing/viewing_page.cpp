@@ -38,9 +38,10 @@ class StageTable {
 
   std::array<Rect, kViewStages.size()> draw() {
     const ViewingStory& s = story_;
+    const std::string face = "face " + std::to_string(s.vertex.face);
+    const std::string part = partOf(page_.view.picture.scene(), s.vertex);
     const std::string which =
-        "face " + std::to_string(s.vertex.face) + ", " + partOf(page_.view.picture.scene(), s.vertex) +
-        ", corner " + std::to_string(s.vertex.corner + 1) + lengthsInWords(page_.view.picture.scene());
+        (part == face ? face : face + ", " + part) + ", corner " + std::to_string(s.vertex.corner + 1);
     int y = section(pen_, at_.table.x, at_.table.y, at_.table.width, "a vertex and its plane",
                     at_.narrow ? which : which + "; click another, or press g");
     if (at_.narrow) y -= 2;

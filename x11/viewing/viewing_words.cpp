@@ -80,7 +80,7 @@ FaceCorner vertexOf(const Picture& picture, const std::string& text) {
 std::string lengthsInWords(const Scene& scene) {
   return lengthUnit(scene) == std::ldexp(1.0, -scene.exponent)
              ? ""
-             : "; lengths are multiples of 2^" + std::to_string(scene.exponent) + " of the file's";
+             : "lengths are multiples of 2^" + std::to_string(scene.exponent) + " of the file's";
 }
 
 std::string partOf(const Scene& scene, const FaceCorner& vertex) {

@@ -17,7 +17,7 @@ namespace xnewell {
 /// long numbers, it is the scene's own.
 [[nodiscard]] double lengthUnit(const Scene& scene);
 
-/// "; lengths are multiples of 2^41 of the file's" where that is another one than the file's; else "".
+/// "lengths are multiples of 2^41 of the file's" where that is another one than the file's; else "".
 [[nodiscard]] std::string lengthsInWords(const Scene& scene);
 
 /// The vertex of --viewing; "" is one in the middle of the picture. @throws UsageError if there is none
