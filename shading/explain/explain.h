@@ -58,8 +58,7 @@ struct Explanation {
 };
 
 /// "1954.2, spout": the number of a face, of the convex part of it, and the name of its group, if it has one.
-/// `face` is an
-/// index into snapped().faces.
+/// `face` is an index into snapped().faces.
 [[nodiscard]] std::string faceName(const Picture& picture, int face);
 
 /// Explains pixels of one picture, which must outlive it. What all pixels share is prepared once.

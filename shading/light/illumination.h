@@ -76,9 +76,9 @@ enum class Channels {
 
 /// What one surface reflects, by channel.
 struct Material {
-  std::array<double, 3> ambient{};  ///< ka Ia; by a mistake, none or twice that
-  std::array<double, 3> ka{}, kd{},
-      ks{};  ///< times the colour; of a texture, times what the texel multiplies
+  std::array<double, 3> ambient{};   ///< ka Ia; by a mistake, none or twice that
+  std::array<double, 3> ka{};        ///< times the colour
+  std::array<double, 3> kd{}, ks{};  ///< the same; of a texture, times what the texel multiplies
   int n = 1;
   double leastCosine = 0;  ///< for a smaller cosine cos^n is below 2^-40 and counts as 0
 };
