@@ -258,7 +258,7 @@ TEST(Quantize, ChosenBeatsTheCubeOnGradients) {
 
 // If a constant colour is dithered with any palette, a block holds the nearest colour and at most one more.
 // The nearest has at least half the block. The block's mean is no farther from the colour than the nearest
-// is.
+// is, nor than the mean of any other share of the two.
 TEST(Quantize, ADitheredPaletteComesNearerInTheMean) {
   int nearer = 0, plain = 0;
   for (unsigned seed = 0; seed < 2000; ++seed) {
@@ -279,6 +279,10 @@ TEST(Quantize, ADitheredPaletteComesNearerInTheMean) {
     const int nearestOff = 64 * 64 * squaredDistance(palette[nearest], color);
     if (used.size() == 2) {
       EXPECT_LT(meanOff, nearestOff);
+      const int other = *used.begin() == nearest ? *used.rbegin() : *used.begin();
+      const auto step = glm::ivec3{palette[other]} - glm::ivec3{palette[nearest]};
+      EXPECT_LE(2 * std::abs(step.x * sum.x + step.y * sum.y + step.z * sum.z),
+                squaredDistance(palette[other], palette[nearest]));
       ++nearer;
     } else {
       EXPECT_EQ(meanOff, nearestOff);

@@ -72,6 +72,9 @@ TEST(Errors, SpreadOfNumbers) {
   EXPECT_EQ(spread.largest, 100);
   hundred.push_back(1000);  // of 101 numbers 99 % are 99.99, so 100 of them must not exceed it
   EXPECT_EQ(spreadOf(hundred).p99, 100);
+  std::vector<float> sixty(60);  // 99 % are 59.4: the largest is one of them
+  std::iota(sixty.begin(), sixty.end(), 1.0F);
+  EXPECT_EQ(spreadOf(sixty).p99, 60);
   expectAll(spreadOf(std::vector{0.5F}), 0.5, 1);
   expectAll(spreadOf(std::vector{kNone, kNone}), 0, 0);
 }
