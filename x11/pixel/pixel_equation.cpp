@@ -99,8 +99,7 @@ void PixelPen::equation() {
   const ExplainedEquation& of = *equation;
   const Illumination& user = story().picture.settings().light;
   const Form form = user.form;
-  // Lines below: the sum, the bar and the table, which is short where the cells hold colours.
-  const int kBelow = story().inColors() ? 7 : 8;
+  constexpr int kBelow = 8;  // lines: the sum, the bar, and the table with its verdict
   line(formulaOf(e(), user), true);
   if (const std::string wrong = mistakeWords(e(), user); !wrong.empty() && hasRoom(kBelow + 2)) {
     paint.text(x() + 12, y, "a mistake: " + wrong, (*this)(Cell::Alarm));
