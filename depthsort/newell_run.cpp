@@ -49,7 +49,7 @@ class NewellRun {
     enter(list);
     GiveUpNowAndThen giveUp;
     for (int turn = 0; turn < given_; ++turn) {
-      if (turn + 8 < given_) __builtin_prefetch(&list_[turns_[turn + 8]]);  // the list leads anywhere
+      if (turn + 8 < given_) __builtin_prefetch(&list_[turns_[turn + 8]]);  // memory at random
       if (paintFree(turn)) continue;
       for (int P; (P = nextOpen(turns_[turn])) != kNone;) {
         note(Event::Kind::Take, P);

@@ -52,16 +52,16 @@ ExactLine exactly(const SnappedScene& scene, const Line& line) {
           Wide{P.D} * Q.C - Wide{Q.D} * P.C};
 }
 
-/// A sum of products of coefficients, and the sum of their absolute values. The products of three
-/// coefficients and their sums take five steps, and the coefficients are off, too: in all by less than 2^-94
-/// of `size`.
+/// A sum of products of coefficients, and the sum of their absolute values.
 struct FineSum {
+  /// Each coefficient is off by kTwoDoubles of itself. Two products and three sums follow, at most: less than
+  /// nine times kTwoDoubles of `size` in all. `size` is off by a few 2^-53 of itself.
+  static constexpr double kOff = 16 * kTwoDoubles;
+
   TwoDoubles value;
   double size;
   /// The sign; 0 if it is in doubt.
-  [[nodiscard]] int sign() const {
-    return value.high > 0x1p-94 * size ? 1 : value.high < -0x1p-94 * size ? -1 : 0;
-  }
+  [[nodiscard]] int sign() const { return value.high > kOff * size ? 1 : value.high < -kOff * size ? -1 : 0; }
 };
 /// x y - z w
 FineSum difference(const TwoDoubles& x, const TwoDoubles& y, const TwoDoubles& z, const TwoDoubles& w) {

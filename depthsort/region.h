@@ -112,13 +112,13 @@ class Regions {
   [[nodiscard]] static int fineSign(const FineLine& line, const FineLine& first, const FineLine& second);
 
   struct KeptLine {
-    Line::Kind kind;
+    Line::Kind kind = Line::Kind::Edge;
     int p = -1, q = -1;
-    FineLine fine;
+    FineLine fine = {};
   };
   const SnappedScene& scene_;
-  mutable std::vector<KeptLine> lines_;
-  mutable Region kept_;  ///< a buffer of clip(), a member to reuse its memory
+  mutable std::vector<KeptLine> lines_;  ///< of finely(), each in the place that its p and q give; or empty
+  mutable Region kept_;                  ///< a buffer of clip(), a member to reuse its memory
 };
 
 }  // namespace xnewell

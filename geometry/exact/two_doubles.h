@@ -4,14 +4,15 @@
 
 namespace xnewell {
 
-/// A number as the sum of two doubles, the second at most about an ulp of the first: some 100 bits, for a
-/// twentieth of the time that integers of 512 bits take. A sum or a product x, y -> z is off by at most
-/// kTwoDoubles (|x| + |y|), or kTwoDoubles |x y|, in each rounding mode, if nothing overflows 2^990 or falls
-/// below 2^-900. Compiled without contraction. @see Dekker 1971; Knuth 4.2.2
+/// A number as the sum of two doubles: |low| <= 2^-52 |high|. The sum of x and y is off by at most
+/// 2^-100 (|x| + |y|), the product by at most 2^-100 |x y|. In another rounding mode than to nearest,
+/// Dekker's halves may have a bit more, and their products round: then kTwoDoubles takes the place of 2^-100.
+/// Numbers and results are 0 or between 2^-400 and 2^900. Compiled without contraction.
+/// @see Dekker 1971; Knuth, TAOCP 2 §4.2.2
 struct TwoDoubles {
   double high = 0.0, low = 0.0;
 };
-inline constexpr double kTwoDoubles = 0x1p-100;
+inline constexpr double kTwoDoubles = 0x1p-76;
 
 /// high + low, where |low| is small beside |high|.
 [[nodiscard]] inline TwoDoubles renormed(double high, double low) {

@@ -48,6 +48,11 @@ using Shows = std::span<const std::uint8_t>;
 [[nodiscard]] std::vector<Rgb16> quantize(const RgbImage& picture, Shows shows,
                                           const QuantizeSettings& settings, IndexImage& cells);
 
+/// The byte of a full-colour channel for a value 1..255 of kChannelRamp: they are spread over 0..255.
+[[nodiscard]] constexpr std::uint8_t channelByte(int value) {
+  return static_cast<std::uint8_t>((255 * (value - 1) + 127) / 254);
+}
+
 // The steps of quantize(), for callers that keep one palette for several pictures.
 
 /// The 240 colours of the cube. Colour (8 r + g) 5 + b has level r of 6 in red, g of 8 in green and b of 5 in

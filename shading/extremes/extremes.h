@@ -52,10 +52,10 @@ struct Extremes {
 /// 2^900.
 [[nodiscard]] std::string shortly(double v);
 
-/// Drives the scene all ways, on so many threads, or on one for each processor. Calls `goOn` before each
-/// picture, one call at a time, with what it shows ("moved by 1e+09"), and stops if that returns false; only
-/// whole ways are returned. Pictures have the size, camera and method of
-/// the settings, but their cells hold one hue. The ways that test the light use Phong shading.
+/// Drives the scene all ways, on so many threads; 0 stands for one on each processor. Calls `goOn` before
+/// each picture, one call at a time, with what it shows ("moved by 1e+09"), and stops if that returns false;
+/// only whole ways are returned. Pictures have the size, camera and method of the settings, but their cells
+/// hold one hue. The ways that test the light use Phong shading.
 /// @throws ViewError if the scene itself has no picture or no extent
 [[nodiscard]] Extremes extremesOf(const Scene& scene, const PictureSettings& settings,
                                   const std::function<bool(const std::string& doing)>& goOn = {},

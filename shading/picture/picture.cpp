@@ -14,10 +14,10 @@ namespace xnewell {
 
 namespace {
 
-/// Maps a value of kChannelRamp to the byte of a full-colour channel: 1..255 are spread over 0..255.
+/// channelByte() of each value; 0 for 0.
 const std::array<std::uint8_t, 256> kBytes = [] {
   std::array<std::uint8_t, 256> bytes{};
-  for (int v = 1; v < 256; ++v) bytes[v] = static_cast<std::uint8_t>((255 * (v - 1) + 127) / 254);
+  for (int v = 1; v < 256; ++v) bytes[v] = channelByte(v);
   return bytes;
 }();
 

@@ -1,6 +1,7 @@
 #include "geometry/exact/int128.h"
 #include "geometry/exact/plane.h"
 #include "geometry/exact/power.h"
+#include "geometry/exact/two_doubles.h"
 #include "geometry/exact/unit.h"
 #include "shading/fill/lanes.h"
 #include "tests/kernels/big.h"
@@ -136,6 +137,71 @@ Kernel approximatelyKernel() {
           .hard = {roundedHalves}};
 }
 
+/// How far high + low is from the exact number, as a share of the bound.
+double shareOfTwo(const double* two, const Big& exact, const Big& bound) {
+  const Big error = abs(big(two[0]) + big(two[1]) - exact);
+  return error == 0 ? 0.0 : bound > 0 ? toDouble(error / bound) : kWrong;
+}
+
+Kernel twoDoublesOfKernel() {
+  return {.name = "128 bits to two doubles",
+          .claim = "2^-100 of it",
+          .header = "geometry/exact/two_doubles.h",
+          .input = {integers(-0x1p31 + 1, 0x1p31 - 1), integers(0, 0x1p31 - 1), integers(0, 0x1p31 - 1),
+                    integers(0, 0x1p31 - 1)},
+          .run =
+              [](const Numbers& in) {
+                const TwoDoubles n = twoDoubles(int128Of(in));
+                return Numbers{n.high, n.low};
+              },
+          .judge =
+              [](const Numbers& in, const Numbers& out) {
+                const Big exact{boost::multiprecision::cpp_int{int128Of(in)}};
+                return shareOfTwo(out.data(), exact, 0x1p-100 * abs(exact));
+              },
+          .hard = {roundedHalves},
+          .directed = 1};
+}
+
+/// In an input: high x and y, and what share of 2^-52 of it is low.
+Kernel twoDoublesKernel() {
+  return {.name = "sum and product of two doubles each",
+          .claim = "2^-100 of |x| + |y|, of |x y|; 2^-76 in other modes",
+          .header = "geometry/exact/two_doubles.h",
+          .input = {doubles(-0x1p400, 0x1p400), doubles(-0x1p400, 0x1p400), doubles(-1, 1), doubles(-1, 1)},
+          .prepare =
+              [](const Numbers& in) {
+                for (int k = 0; k < 2; ++k)
+                  if (in[k] != 0 && std::abs(in[k]) < 0x1p-190) return Numbers{};
+                const auto low = [&](int k) {
+                  const double l = in[k] * 0x1p-52 * in[k + 2];
+                  return std::abs(l) < 0x1p-300 ? 0.0 : l;
+                };
+                return Numbers{in[0], low(0), in[1], low(1)};
+              },
+          .run =
+              [](const Numbers& in) {
+                const TwoDoubles x{in[0], in[1]}, y{in[2], in[3]}, sum = x + y, product = x * y;
+                return Numbers{sum.high, sum.low, product.high, product.low};
+              },
+          .judge =
+              [](const Numbers& in, const Numbers& out) {
+                const Big x = big(in[0]) + big(in[1]), y = big(in[2]) + big(in[3]);
+                return std::max(shareOfTwo(&out[0], x + y, 0x1p-100 * (abs(x) + abs(y))),
+                                shareOfTwo(&out[2], x * y, 0x1p-100 * abs(x * y)));
+              },
+          .hard = {[](Random& random) {  // nearly opposite
+                     const double x = random.sign() * random.power(-100, 100);
+                     return Numbers{x, -x * (1.0 + random.sign() * random.power(-53, 0)),
+                                    random.uniform(-1, 1), random.uniform(-1, 1)};
+                   },
+                   [](Random& random) {  // of like size
+                     return Numbers{random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-1, 1),
+                                    random.uniform(-1, 1)};
+                   }},
+          .directed = 0x1p24};
+}
+
 /// Newell's vector of `corners` points.
 Kernel newellKernel(int corners) {
   Kernel kernel{
@@ -201,6 +267,8 @@ void addExactKernels(std::vector<Kernel>& kernels) {
   kernels.push_back(singlePowerKernel());
   kernels.push_back(unitKernel());
   kernels.push_back(approximatelyKernel());
+  kernels.push_back(twoDoublesOfKernel());
+  kernels.push_back(twoDoublesKernel());
   kernels.push_back(newellKernel(3));
   kernels.push_back(newellKernel(4));
 }

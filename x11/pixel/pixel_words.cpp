@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "shading/color/quantize.h"
 #include "shading/explain/rounded_terms.h"
 #include "shading/explain/term_values.h"
 #include "shading/picture/cell_use.h"
@@ -15,16 +16,10 @@ namespace xnewell {
 
 namespace {
 
-/// A channel's value, 1 to 255, as a part of a colour, 0 to 255.
-int partOfColor(int value) { return (255 * (value - 1) + 127) / 254; }
-int partOfColor(std::uint16_t held) { return (held + 128) / 257; }
-
 std::array<int, 3> wantedColor(const Explanation& e) {
-  return {partOfColor(e.value[0]), partOfColor(e.value[1]), partOfColor(e.value[2])};
+  return {channelByte(e.value[0]), channelByte(e.value[1]), channelByte(e.value[2])};
 }
-std::array<int, 3> heldColor(const Rgb16& held) {
-  return {partOfColor(held.r), partOfColor(held.g), partOfColor(held.b)};
-}
+glm::u8vec3 heldColor(const Rgb16& held) { return {held.r >> 8, held.g >> 8, held.b >> 8}; }
 std::string colorInWords(const std::array<int, 3>& color) {
   return std::to_string(color[0]) + ", " + std::to_string(color[1]) + ", " + std::to_string(color[2]);
 }
@@ -40,19 +35,24 @@ PixelStory::PixelStory(const Picture& of, int column, int row)
 bool PixelStory::isExplained() const {
   if (!shown()) return true;
   if (!inColors()) return shown()->value[0] == cell();
-  if (picture.settings().dither) return true;
-  const Palette palette = picture.palette(CellPlan{picture.settings().table.kind});
-  const std::array<int, 3> wanted = wantedColor(*shown());
-  const auto distance = [&](int cell) {
-    const std::array<int, 3> held = heldColor(palette[static_cast<std::size_t>(cell)]);
-    int sum = 0;
-    for (std::size_t c = 0; c < 3; ++c) sum += (held[c] - wanted[c]) * (held[c] - wanted[c]);
-    return sum;
-  };
-  const CellRange cells = sceneCells(picture);
-  for (int other = cells.first; other <= cells.last(); ++other)
-    if (distance(other) < distance(cell())) return false;
-  return true;
+  // One block of the places of ordered dithering, all in the wanted colour.
+  constexpr int kBlock = 8;
+  RgbImage wanted{kBlock, kBlock};
+  const std::array<int, 3> color = wantedColor(*shown());
+  for (std::size_t k = 0; k < wanted.rgb.size(); ++k) wanted.rgb[k] = static_cast<std::uint8_t>(color[k % 3]);
+  IndexImage cells{kBlock, kBlock, 0};
+  const bool dither = picture.settings().dither;
+  const CellRange range = sceneCells(picture);
+  if (picture.colors().plan() == ColorPlan::Cube) {
+    paintCube(wanted, {}, range.first, dither, cells);
+  } else {
+    const Palette palette = picture.palette(CellPlan{picture.settings().table.kind});
+    std::vector<glm::u8vec3> held;
+    for (int c = range.first; c <= range.last(); ++c)
+      held.push_back(heldColor(palette[static_cast<std::size_t>(c)]));
+    paintNearest(wanted, {}, held, dither, range.first, cells);
+  }
+  return cells.row(j % kBlock)[i % kBlock] == cell();
 }
 
 std::string_view PixelStory::verdict() const {
@@ -239,7 +239,8 @@ std::string channelsInWords(const Explanation& e) {
 std::string heldInWords(const PixelStory& story, const Rgb16& held) {
   return (story.picture.settings().dither ? "one of two colours that share these places: cell "
                                           : "the nearest colour that a cell holds: cell ") +
-         std::to_string(story.cell()) + " has " + colorInWords(heldColor(held)) + " of 255";
+         std::to_string(story.cell()) + " has " + colorInWords({held.r >> 8, held.g >> 8, held.b >> 8}) +
+         " of 255";
 }
 
 std::vector<std::string> shortStory(const PixelStory& story, int chosen) {

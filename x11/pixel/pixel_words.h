@@ -32,8 +32,8 @@ struct PixelStory {
   [[nodiscard]] int cell() const { return picture.image().row(j)[i]; }
   /// True if the cells hold single colours, so there is no shade to explain.
   [[nodiscard]] bool inColors() const { return channelsOf(picture.colors().plan()) == Channels::Rgb; }
-  /// True if the chain ends in the picture's cell. Where the cells hold single colours, no other one is
-  /// nearer to the wanted colour; with dithering, neighbours share a place.
+  /// True if the chain ends in the picture's cell. Where the cells hold single colours, that is the one that
+  /// quantize.h gives the wanted colour at this place.
   [[nodiscard]] bool isExplained() const;
   /// One word: ground, shaded, clamped or wrong face.
   [[nodiscard]] std::string_view verdict() const;
