@@ -22,8 +22,11 @@ struct Server {
   Server(const Options& options, const Scene& scene);
 
   [[nodiscard]] Workbench::Server forBench() {
-    return {[this](TableKind table) { return colormap.plan(table); }, colormap.unneeded(),
-            [this] { return colormap.account(); }, gray(),
+    return {[this](TableKind table) { return colormap.plan(table); },
+            colormap.unneeded(),
+            [this] { return colormap.account(); },
+            gray(),
+            colormap.visual().shownBits(),
             [this](bool severalHues) {
               const std::scoped_lock alone{turn};
               colormap.reconsider(severalHues);

@@ -340,6 +340,7 @@ void Workbench::drawFrame(bool dragging) {
                     .dragging = dragging,
                     .coarse = quick,
                     .gray = server_.gray,
+                    .shownBits = server_.shownBits,
                     .title = lecture_ ? lecture_->now().title : titleOf(picture.scene()),
                     .few = few_});
   const OwnColors* const own = view.colors();

@@ -36,6 +36,7 @@ class Workbench : public Host {
     Palette unneeded{};
     std::function<std::string()> visual = [] { return std::string{}; };  ///< words for the status line
     bool gray = false;  ///< true if the screen shows only grays
+    int shownBits = 0;  ///< as VisualInfo::shownBits(); 0 without a server
     /// The most shades that the server has cells for, of one hue or divided among several. Each new scene
     /// asks again.
     std::function<int(bool severalHues)> mostShades = [](bool) { return kMaxShades; };

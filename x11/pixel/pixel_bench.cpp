@@ -262,7 +262,8 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
                                                       : std::nullopt,
                            .ball = ball_,
                            .asked = hidden_,
-                           .palette = desk.palette});
+                           .palette = desk.palette,
+                           .shownBits = desk.shownBits});
   const Controls all = controls();
   list_.forgetPlaces();
   const RowStyle narrow{.width = at.picture.width, .track = at.picture.width - 84 - 60};

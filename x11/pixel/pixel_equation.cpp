@@ -209,6 +209,7 @@ void PixelPen::table() {
   const Rgb16 stored = page.palette[static_cast<std::size_t>(e().value[0])];
   line(words.range + "; it holds " + std::to_string(stored.r) + ", " + std::to_string(stored.g) + ", " +
        std::to_string(stored.b));
+  if (page.shownBits > 0 && hasRoom(2)) line(shownInWords(stored, page.shownBits));
   verdictOfChain();
 }
 

@@ -41,6 +41,7 @@ struct PixelPage {
   BallTurn ball = {};
   std::optional<Predicted> asked = {};  ///< this value is hidden, and all that follows from it
   const Palette& palette;
+  int shownBits = 0;  ///< as VisualInfo::shownBits(); 0 without a server
 };
 
 /// Where the parts are that the pointer can press.

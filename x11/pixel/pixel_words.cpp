@@ -243,6 +243,12 @@ std::string heldInWords(const PixelStory& story, const Rgb16& held) {
          " of 255";
 }
 
+std::string shownInWords(const Rgb16& stored, int bits) {
+  const int below = 16 - bits;
+  return "this screen shows " + (below == 0 ? "all 16 bits" : "the upper " + std::to_string(bits) + " bits") +
+         ": " + colorInWords({stored.r >> below, stored.g >> below, stored.b >> below});
+}
+
 std::vector<std::string> shortStory(const PixelStory& story, int chosen) {
   if (story.explained.empty()) return {};
   const Explanation& e = story.explained[static_cast<std::size_t>(chosen)];

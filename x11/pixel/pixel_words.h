@@ -83,6 +83,8 @@ struct PickedWords {
 [[nodiscard]] std::string channelsInWords(const Explanation& e);
 /// "the nearest colour that a cell holds: cell 135 has 129, 137, 19 of 255".
 [[nodiscard]] std::string heldInWords(const PixelStory& story, const Rgb16& held);
+/// "this screen shows the upper 8 bits: 205, 0, 0", of a stored colour; `bits` is 1 to 16.
+[[nodiscard]] std::string shownInWords(const Rgb16& stored, int bits);
 
 /// A polygon of the history, an index into history.painted, in a few lines: its intensity and the formula
 /// with the numbers put in, and the cell that is picked.

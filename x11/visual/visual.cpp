@@ -170,6 +170,12 @@ std::string VisualInfo::name() const {
   return std::string{kVisualClasses[static_cast<int>(kind)].name} + " " + std::to_string(depth);
 }
 
+int VisualInfo::shownBits() const {
+  if (gray()) return 0;
+  if (holdsTable()) return bitsPerRgb;
+  return exact() ? std::bit_width(static_cast<unsigned>(leastLevels())) - 1 : 0;
+}
+
 int VisualInfo::leastLevels() const {
   return hasChannels()
              ? static_cast<int>(std::min({levelsOf(masks.red), levelsOf(masks.green), levelsOf(masks.blue)}))

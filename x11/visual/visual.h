@@ -76,6 +76,9 @@ struct VisualInfo {
   [[nodiscard]] bool holdsColors() const {
     return exact() || (kind == VisualClass::StaticGrayClass && cells >= 256);
   }
+  /// How many of the high bits of a stored red, green or blue the screen shows, the least of the three. 0 if
+  /// it shows something else than the stored colour: its gray, or a colour of several cells.
+  [[nodiscard]] int shownBits() const;
   /// The least number of levels among the channels; without channels, the number of cells.
   [[nodiscard]] int leastLevels() const;
   [[nodiscard]] std::string name() const;  ///< "PseudoColor 8"

@@ -28,6 +28,7 @@ struct Desk {
   bool dragging = false;  ///< true during a drag: slow work may wait, because the next frame follows at once
   bool coarse = false;  ///< true if the picture was made with coarser settings than the setup's, to save time
   bool gray = false;    ///< true if the screen shows only grays
+  int shownBits = 0;    ///< of each stored colour, as VisualInfo::shownBits(); 0 without a server
   std::string title = {};  ///< of the page of a lecture, or of the scene
   std::string few = {};    ///< the keys of the controls in a drawer that has few
 };

@@ -32,4 +32,11 @@ TEST(PixelWords, ChainsEndInTheCellsOfColors) {
   }
 }
 
+// The upper 8 of 16 bits are the value divided by 256, rounded down.
+TEST(PixelWords, AScreenShowsTheHighBits) {
+  EXPECT_EQ(shownInWords({52685, 255, 256}, 8), "this screen shows the upper 8 bits: 205, 0, 1");
+  EXPECT_EQ(shownInWords({65535, 2047, 2048}, 5), "this screen shows the upper 5 bits: 31, 0, 1");
+  EXPECT_EQ(shownInWords({52685, 255, 256}, 16), "this screen shows all 16 bits: 52685, 255, 256");
+}
+
 }  // namespace xnewell::THIS_FILE

@@ -121,6 +121,20 @@ TEST(DescribeVisuals, FixedGraysAreMixedOnlyWhereSomeAreMissing) {
   EXPECT_THAT(describeVisuals(server({grays(4)}, 1)), HasSubstr("mix its fixed grays"));
 }
 
+// A stored colour loses its low bits: in a map, those that the map does not keep; without one, those that the
+// narrowest channel has no place for. Mixed colours and grays are not the stored colour.
+TEST(VisualInfo, ShowsTheHighBits) {
+  EXPECT_EQ(pseudo(1).shownBits(), 8);
+  VisualInfo precise = pseudo(1);
+  precise.bitsPerRgb = 11;
+  EXPECT_EQ(precise.shownBits(), 11);
+  EXPECT_EQ(trueColor(1, 24).shownBits(), 8);
+  EXPECT_EQ(trueColor(1, 30, {0x3FF00000, 0xFFC00, 0x3FF}).shownBits(), 10);
+  EXPECT_EQ(direct(1).shownBits(), 8);
+  EXPECT_EQ(trueColor(1, 16, {0xF800, 0x7E0, 0x1F}).shownBits(), 0) << "its colours are mixed";
+  EXPECT_EQ((VisualInfo{VisualClass::GrayScaleClass, 8, 1, {}, 8, 256}.shownBits()), 0);
+}
+
 // Cells of the default map are for windows of the default visual. Sharing takes that visual, whatever else
 // there is, and another visual cannot be demanded with it.
 TEST(ChooseVisual, SharingTakesTheDefaultVisual) {
