@@ -76,7 +76,7 @@ inline constexpr std::array kCommands{
     CommandRow{Command::Questions, "questions", "questions SCENE [--count N] [--seed S]",
                "questions for an exam about a scene, with computed answers", true},
     CommandRow{Command::Lesson, "lesson", "lesson [NAME] [--frames DIR] [--worksheet FILE]",
-               "a guided lesson in the window, as pictures, or to print; without NAME, the list"},
+               "a guided lesson in the window, as pictures, or to print; without NAME, the window lists all"},
     CommandRow{Command::Lecture, "lecture", "lecture NAME [--play SECONDS]",
                "the pages of a lecture in the window: PgDn and PgUp turn them"},
     CommandRow{Command::Visuals, "visuals", "visuals [options]",
