@@ -7,8 +7,6 @@ namespace xnewell {
 
 namespace {
 
-constexpr double kU = 0x1p-53;
-
 /// A table and its exact levels and thresholds. In an input: kind, pick, N, I0, low, high.
 constexpr std::size_t kTableNumbers = 6;
 struct ExactTable {

@@ -11,6 +11,9 @@ namespace xnewell {
 
 /// A kernel is a small piece of the program's arithmetic whose header claims a bound for its error.
 
+/// Half of a unit in the last place of 1: the most that a rounding to nearest changes a double, relatively.
+inline constexpr double kU = 0x1p-53;
+
 /// Doubles, whatever the type of the coordinate.
 using Numbers = std::vector<double>;
 

@@ -17,6 +17,7 @@ add_library(kernels OBJECT
   kernels/texture_kernels.cpp
   kernels/trig_kernels.cpp
   kernels/view_kernels.cpp)
+set_target_properties(kernels PROPERTIES UNITY_BUILD "${together}")
 let_see(kernels tests)
 target_link_libraries(kernels PUBLIC shading)
 target_compile_options(kernels PUBLIC $<$<CONFIG:Release>:-O1> -fno-sanitize=undefined -frounding-math)

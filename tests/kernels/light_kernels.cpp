@@ -9,8 +9,6 @@ namespace xnewell {
 
 namespace {
 
-constexpr double kU = 0x1p-53;
-
 /// In an input: kind of attenuation, d, unit, range, c1, c2, c3.
 Light attenuated(const Numbers& in) {
   Light light{.kind = LightKind::Point, .attenuation = kAttenuations[static_cast<std::size_t>(in[0])].id};

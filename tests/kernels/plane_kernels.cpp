@@ -5,8 +5,6 @@ namespace xnewell {
 
 namespace {
 
-constexpr double kU = 0x1p-53;
-
 Kernel depthKernel() {
   Kernel kernel{.name = "depth of a plane",
                 .claim = "4 2^-53 of it",

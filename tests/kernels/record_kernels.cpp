@@ -49,7 +49,7 @@ PlaneRecords recordsOf(const Numbers& in) {
   view.vup = {in[kVup], in[kVup + 1], in[kVup + 2]};
   return {view, static_cast<int>(in[1]), static_cast<int>(in[2]), static_cast<int>(in[kShift])};
 }
-ModelPlane planeOf(const Numbers& in, std::size_t k) {
+ModelPlane modelPlaneOf(const Numbers& in, std::size_t k) {
   const double* const N = &in[kNormal + 3 * k];
   return {{N[0], N[1], N[2]}, {in[kPoint], in[kPoint + 1], in[kPoint + 2]}};
 }
@@ -155,7 +155,7 @@ Kernel recordKernel() {
           .prepare = preparedRecord,
           .run =
               [](const Numbers& in) {
-                const auto record = recordsOf(in).of(planeOf(in, 0), placeOf(in));
+                const auto record = recordsOf(in).of(modelPlaneOf(in, 0), placeOf(in));
                 if (!record) return Numbers{};
                 const Int128 atPlace =
                     Int128{record->A} * placeOf(in).x + Int128{record->B} * placeOf(in).y + record->D;
@@ -189,8 +189,9 @@ Kernel aheadKernel() {
           [](const Numbers& in) {
             const PlaneRecords records = recordsOf(in);
             const glm::ivec2 place = placeOf(in);
-            const Ahead ahead = records.ahead(planeOf(in, 0), planeOf(in, 1), place);
-            const bool both = records.of(planeOf(in, 0), place) && records.of(planeOf(in, 1), place);
+            const Ahead ahead = records.ahead(modelPlaneOf(in, 0), modelPlaneOf(in, 1), place);
+            const bool both =
+                records.of(modelPlaneOf(in, 0), place) && records.of(modelPlaneOf(in, 1), place);
             return both ? Numbers{ahead.at(place.x, place.y), ahead.x, ahead.y} : Numbers{};
           },
       .judge =

@@ -5,8 +5,6 @@ namespace xnewell {
 
 namespace {
 
-constexpr double kU = 0x1p-53;
-
 /// The scene of some triangles, one plane each.
 SnappedScene sceneOf(const Numbers& in) {
   SnappedScene scene;

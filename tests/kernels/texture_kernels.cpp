@@ -5,7 +5,7 @@ namespace xnewell {
 
 namespace {
 
-constexpr double kU = 0x1p-53, kSingle = 0x1p-24;
+constexpr double kSingle = 0x1p-24;
 
 /// Values of three corners over their depths, divided by 1 / w at a pixel. Prepared: the triangle and pixel,
 /// three values, three of 1 / w, three values over w.

@@ -11,8 +11,6 @@ namespace xnewell {
 
 namespace {
 
-constexpr double kU = 0x1p-53;
-
 /// Where a point lies on the screen, in pixels, by the projector's meeting with the view plane; and how far
 /// view.h lets it be off, in units of 2^-53. `shift` is how far the point itself may be off.
 struct Exact {

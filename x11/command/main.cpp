@@ -243,7 +243,7 @@ int run(int argc, char** argv) {
   return draw(options, std::move(scene), msRead, accuracy), kDone;
 }
 
-int failed(Status status, const std::string& what) {
+int failed(ExitStatus status, const std::string& what) {
   const std::string line = "xnewell: " + oneLine(what) + '\n';  // before a part of it is on the terminal
   std::cerr << line;
   return status;

@@ -6,9 +6,9 @@
 namespace xnewell {
 
 /// The exit status of the program.
-enum Status { kDone = 0, kOutside = 1, kWrong = 2, kInterrupted = 130, kTerminated = 143 };
+enum ExitStatus { kDone = 0, kOutside = 1, kWrong = 2, kInterrupted = 130, kTerminated = 143 };
 struct StatusRow {
-  Status id;
+  ExitStatus id;
   std::string_view means;
 };
 inline constexpr std::array kStatuses{

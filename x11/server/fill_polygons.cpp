@@ -75,7 +75,7 @@ void fillPolygons(Display* display, Canvas& canvas, const Picture& picture, cons
     XFillPolygon(display, to, gc, points.data(), static_cast<int>(points.size()),
                  face.count == 3 ? Convex : Complex, CoordModeOrigin);
   }
-  XSetClipMask(display, gc, None);
+  XSetClipMask(display, gc, Pixmap{});
 }
 
 }  // namespace xnewell

@@ -197,7 +197,7 @@ TEST(WindowManager, FindsNothingOfUsAfterwards) {
     if (managed) manager.emplace(server);
     const OwnedDisplay display = openDisplay(server.name());
     Display* d = display.get();
-    XWarpPointer(d, None, DefaultRootWindow(d), 0, 0, 0, 0, 1270, 20);
+    XWarpPointer(d, Window{}, DefaultRootWindow(d), 0, 0, 0, 0, 1270, 20);
     XSync(d, 0);
     const Traces before = tracesOn(d);
     EXPECT_GT(before.freeCells, 0);

@@ -12,8 +12,8 @@ namespace xnewell {
 /// A workbench at a size, up to date, with functions for keys and mouse.
 struct ReadyWorkbench : Workbench {
   explicit ReadyWorkbench(const xnewell::Setup& setup = {}, int width = 1024, int height = 768,
-                          const std::string& scene = "teapot")
-      : Workbench{readScene(scene, 3), setup, {}} {
+                          const std::string& scene = "teapot", const Server& server = {})
+      : Workbench{readScene(scene, 3), setup, server} {
     resize(width, height);
     update();
   }

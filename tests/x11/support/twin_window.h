@@ -42,7 +42,7 @@ class TwinWindow {
                                  : " --scale " + std::to_string(unit) + " --size " +
                                        std::to_string(800 * unit) + 'x' + std::to_string(600 * unit))},
         window{viewer.window},
-        same{setup, 1024, 768, scene} {
+        same{setup, 1024, 768, scene, {.shownBits = 8}} {
     if (unit > 1) {
       same.scale(unit);
       same.resize(800 * unit, 600 * unit);
