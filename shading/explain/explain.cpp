@@ -5,6 +5,7 @@
 
 #include "depthsort/oracle.h"
 #include "shading/explain/loop_value.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
 
@@ -40,7 +41,16 @@ class OnePixel {
       e_.sum = on_.sumOfNormals();
       evaluate(on_.place(), on_.normal());
     }
-    if (!lit_ || e_.method == Shading::Environment) takeFromPicture();
+    if (e_.method == Shading::Depth) {
+      e_.depth = depthTerms(picture_.scene().mesh, s_.snapped, picture_.camera().view, e_.face);
+      e_.I[0] = e_.depth->I;
+      const auto inFile = [&](double length) {
+        return inFileUnits(glm::dvec3{length, 0.0, 0.0}, picture_.scene()).x;
+      };
+      std::ranges::transform(e_.depth->z, e_.depth->z.begin(), inFile);
+      e_.depth->a = inFile(e_.depth->a);
+    }
+    if (e_.method == Shading::Full || e_.method == Shading::Environment) takeFromPicture();
     finish();
     return std::move(e_);
   }
@@ -105,7 +115,7 @@ class OnePixel {
            here(diffuse) * e_.texel->share[c];
   }
 
-  /// Full intensity, depth, and what an environment's map holds.
+  /// Full intensity, and what an environment's map holds.
   void takeFromPicture() {
     SeenRows here{s_.settings.width, e_.j,
                   std::vector<int>(static_cast<std::size_t>(s_.settings.width), kNothing)};

@@ -9,6 +9,7 @@
 
 #include "shading/explain/equation_at.h"
 #include "shading/explain/on_face.h"
+#include "shading/light/depth_shading.h"
 #include "shading/picture/picture.h"
 
 namespace xnewell {
@@ -46,6 +47,7 @@ struct Explanation {
   glm::dvec3 sum{0};  ///< Phong: the weighted sum of the vertices' normals, before it is made a unit vector
   std::optional<ExplainedTexel> texel;
   std::optional<ExplainedPlace> place;
+  std::optional<DepthTerms> depth;  ///< of shading by depth, in the units of the scene's file
   /// Flat, Phong: one. Gouraud: one for each vertex of the model.
   std::vector<ExplainedEquation> equations;
   ByChannel I{};  ///< at the sample, by the definitions; with Phong or a texture it may exceed 1

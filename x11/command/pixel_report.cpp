@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "shading/explain/term_values.h"
+#include "shading/scene/units.h"
 #include "x11/drawing/wording.h"
 #include "x11/pixel/pixel_words.h"
 #include "x11/viewing/viewing_words.h"
@@ -137,6 +138,10 @@ void printEquation(const PixelStory& story, const Explanation& e, const Explaine
 
 void printEquations(const PixelStory& story, const Explanation& e, std::ostream& out) {
   out << "3 equation" << (e.channels > 1 ? ", by channel" : "") << '\n';
+  if (e.depth) {
+    for (const std::string& line : depthWords(e)) out << "      " << line << '\n';
+    return;
+  }
   if (e.equations.empty()) {
     out << "      " << (e.method == Shading::Environment ? "the map holds" : "no light is computed:") << " I "
         << number(e.I[0]) << '\n';
@@ -189,7 +194,7 @@ Json asJson(const ByChannel& v, int channels) {
   return {v[0], v[1], v[2]};
 }
 
-Json asJson(const ExplainedEquation& at, int channels) {
+Json asJson(const ExplainedEquation& at, int channels, const Scene& scene) {
   Json lights = Json::array();
   for (const ExplainedLight& light : at.lights)
     lights.push_back({{"L", asJson(light.L)},
@@ -205,7 +210,7 @@ Json asJson(const ExplainedEquation& at, int channels) {
   const auto ofSurface = [&](double Reflection::*k) {
     return asJson(ByChannel{at.surface[0].*k, at.surface[1].*k, at.surface[2].*k}, channels);
   };
-  return {{"at", asJson(at.P)},
+  return {{"at", asJson(inFileUnits(at.P, scene))},
           {"N", asJson(at.N)},
           {"V", asJson(at.V)},
           {"ka", ofSurface(&Reflection::ka)},
@@ -241,7 +246,8 @@ Json asJson(const PixelStory& story, const Explanation& e) {
     if (e.method == Shading::Gouraud) vertices.back()["I"] = asJson(v.I, e.channels);
   }
   Json equations = Json::array();
-  for (const ExplainedEquation& one : e.equations) equations.push_back(asJson(one, e.channels));
+  for (const ExplainedEquation& one : e.equations)
+    equations.push_back(asJson(one, e.channels, story.picture.scene()));
   Json all{{"shading", rowOf(e.method).name},
            {"I", asJson(e.I, e.channels)},
            {"intensity", e.intensity},
@@ -249,6 +255,7 @@ Json asJson(const PixelStory& story, const Explanation& e) {
            {"vertices", vertices},
            {"equations", equations},
            {"value", e.value[0]}};
+  if (e.depth) all["depth"] = {{"z", e.depth->z}, {"a", e.depth->a}};
   if (e.texel)
     all["texel"] = {{"u", e.texel->u},
                     {"v", e.texel->v},

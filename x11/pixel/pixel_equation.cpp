@@ -76,6 +76,15 @@ void PixelPen::equation() {
   if (gouraud)
     aside = std::string{"at vertex "} + letterOfVertex(page.vertex) + (aside.empty() ? "" : ", ") + aside;
   section("3 equation", aside);
+  if (e().depth) {
+    const std::vector<std::string> words = depthWords(e());
+    for (std::size_t k = 0; k < words.size(); ++k)
+      if (k < 2)
+        line(words[k], k == 0);
+      else if (hasRoom(3))
+        soft(x(), y, words[k]), y += at.pitch;
+    return;
+  }
   const ExplainedEquation* const equation = equationShown(e(), page.vertex);
   if (!equation) {
     line(!e().equations.empty() ? "Clipping made this vertex: its I is interpolated along the edge."

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <numeric>
 
@@ -109,6 +110,35 @@ std::string formulaOf(const Explanation& e, const Illumination& light) {
     return std::string{word};
   });
   return "I = " + (row.ambientTerm.empty() ? "" : writtenOut(row.ambientTerm, " ", asItIs) + " + ") + shown;
+}
+
+std::vector<std::string> depthWords(const Explanation& e) {
+  if (!e.depth) return {};
+  const std::vector<double>& z = e.depth->z;
+  if (e.depth->a == 0.0) return {"I = 1: all faces have the same depth"};
+  // A model may be of any size, so its lengths have so many digits and not so many decimals.
+  const auto length = [](double v) {
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.begin(), text.end(), v, std::chars_format::general, 5).ptr;
+    return std::string{text.begin(), end};
+  };
+  constexpr std::size_t kMostWritten = 4;
+  const std::size_t n = z.size();
+  const bool all = n <= kMostWritten;
+  std::string names = "z1", numbers = length(z[0]);
+  for (std::size_t k = 1; k < (all ? n : 2); ++k) {
+    names += " + z" + std::to_string(k + 1);
+    numbers += (z[k] < 0.0 ? " - " : " + ") + length(std::abs(z[k]));
+  }
+  if (!all) {
+    names += " + ... + z" + std::to_string(n);
+    numbers = length(std::accumulate(z.begin(), z.end(), 0.0));
+  }
+  const double range = e.depth->a / static_cast<double>(n);
+  return {"I = 1 - (" + names + ") / a",
+          "  = 1 - (" + numbers + ") / " + length(e.depth->a) + " = " + fixed(e.I[0], kPixelDecimals),
+          "z: how far a corner lies behind the mean of the nearest face",
+          "a = " + std::to_string(n) + " x " + length(range) + ": the farthest face gets 0"};
 }
 
 std::string mistakeWords(const Explanation& e, const Illumination& light) {
@@ -254,6 +284,7 @@ std::vector<std::string> shortStory(const PixelStory& story, int chosen) {
   const Explanation& e = story.explained[static_cast<std::size_t>(chosen)];
   std::vector<std::string> lines{"face " + faceName(story.picture, e.face) + ": " + fateOf(story, chosen) +
                                  ", I " + intensityWords(story, e)};
+  for (std::string& line : depthWords(e)) lines.push_back(std::move(line));
   for (const ExplainedEquation& at : e.equations) {
     const Illumination& light = story.picture.settings().light;
     lines.push_back(formulaOf(e, light));

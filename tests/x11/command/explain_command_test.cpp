@@ -99,6 +99,30 @@ TEST_F(CommandTest, ExplainsWhatDrawWrites) {
     }
 }
 
+// Three triangles, the second 1 behind the first and the third 4: the corners of the second have z = 1, and
+// a = 3 x 4.
+TEST_F(CommandTest, ExplainsShadingByDepth) {
+  const std::string steps = write("steps.obj",
+                                  "v -3 -1 0\nv -1 -1 0\nv -2 1 0\nv -1 -1 -1\nv 1 -1 -1\nv 0 1 -1\n"
+                                  "v 1 -1 -4\nv 3 -1 -4\nv 2 1 -4\nf 1 2 3\nf 4 5 6\nf 7 8 9\n");
+  const Strings middle{"explain", steps,    "50,50",           "--size",     "100x100",
+                       "--eye",   "0,0,20", "--look-at=0,0,0", "--parallel", "8"};
+  const Strings byDepth = middle + Strings{"--shade", "depth"};
+  const auto end = runProgram(byDepth);
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_NE(end.out.find("      I = 1 - (z1 + z2 + z3) / a\n"
+                         "        = 1 - (1 + 1 + 1) / 12 = 0.7500\n"),
+            std::string::npos)
+      << end.out;
+  EXPECT_NE(end.out.find("a = 3 x 4: "), std::string::npos) << end.out;
+  EXPECT_EQ(Json::parse(runProgram(byDepth + Strings{"--json"}).out).at("depth"),
+            (Json{{"z", {1.0, 1.0, 1.0}}, {"a", 12.0}}));
+  // Places have the file's units, too: the centroid of the second triangle.
+  const Json flat = Json::parse(runProgram(middle + Strings{"--shade", "flat", "--json"}).out);
+  EXPECT_NEAR(flat.at("equations").at(0).at("at").at(1).get<double>(), -1.0 / 3.0, 1e-12);
+  EXPECT_DOUBLE_EQ(flat.at("equations").at(0).at("at").at(2).get<double>(), -1.0);
+}
+
 // Where the cells hold colours, the chain ends in the nearest of them. Both colours have one unit.
 TEST_F(CommandTest, ExplainsColors) {
   for (const char* scene : someOf({"colored-lights", "textured-cube"}, 1)) {
