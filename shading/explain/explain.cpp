@@ -48,7 +48,7 @@ class OnePixel {
         return inFileUnits(glm::dvec3{length, 0.0, 0.0}, picture_.scene()).x;
       };
       std::ranges::transform(e_.depth->z, e_.depth->z.begin(), inFile);
-      e_.depth->a = inFile(e_.depth->a);
+      e_.depth->range = inFile(e_.depth->range);
     }
     if (e_.method == Shading::Full || e_.method == Shading::Environment) takeFromPicture();
     finish();

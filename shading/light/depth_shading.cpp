@@ -1,30 +1,47 @@
 #include "shading/light/depth_shading.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
 
 namespace xnewell {
 
 namespace {
 
-/// The z of a point along the viewing direction; larger is nearer.
-class DepthOf {
+/// The depths of a snapped scene's faces along the viewing direction; larger is nearer.
+class Depths {
  public:
-  DepthOf(const Mesh& mesh, const ViewSpec& view)
-      : mesh_{mesh}, rotation_{vrcRotation(view)}, vrp_{view.vrp} {}
-  [[nodiscard]] double corner(int c) const { return (rotation_ * (mesh_.points[c] - vrp_)).z; }
-  /// The mean of the corners of each face of a snapped scene.
-  [[nodiscard]] std::vector<double> faces(const SnappedScene& snapped) const {
-    std::vector<double> z(snapped.faces.size());
+  Depths(const Mesh& mesh, const SnappedScene& snapped, const ViewSpec& view)
+      : z(snapped.faces.size()), mesh_{mesh}, rotation_{vrcRotation(view)}, vrp_{view.vrp} {
+    double rounding = 0.0;
     for (std::size_t f = 0; f < z.size(); ++f) {
-      const std::span<const int> corners = mesh_.face(snapped.faces[f].number);
-      for (const int c : corners) z[f] += corner(c);
-      z[f] /= static_cast<double>(corners.size());
+      const std::span<const int> corners = mesh.face(snapped.faces[f].number);
+      const auto n = static_cast<double>(corners.size());
+      double most = 0.0;
+      for (const int c : corners) {
+        z[f] += corner(c);
+        most = std::max(most, sumOf(mesh.points[c]) + sumOf(vrp_));
+      }
+      z[f] /= n;
+      near = std::max(near, z[f]), far = std::min(far, z[f]);
+      rounding = std::max(rounding, (n + 9.0) * 0x1p-53 * most);
     }
-    return z;
+    range = near - far > 2.0 * rounding ? near - far : 0.0;
+  }
+  [[nodiscard]] double corner(int c) const { return (rotation_ * (mesh_.points[c] - vrp_)).z; }
+  [[nodiscard]] double intensity(double mean) const {
+    return range > 0.0 ? 1.0 - (near - mean) / range : 1.0;
   }
 
+  std::vector<double> z;  ///< of each face: the mean of its corners
+  double near = -std::numeric_limits<double>::infinity(), far = -near;
+  double range = 0.0;  ///< from the nearest to the farthest; 0 if they count as the same
+
  private:
+  static double sumOf(const glm::dvec3& p) { return std::abs(p.x) + std::abs(p.y) + std::abs(p.z); }
+
   const Mesh& mesh_;
   glm::dmat3 rotation_;
   glm::dvec3 vrp_;
@@ -33,22 +50,15 @@ class DepthOf {
 }  // namespace
 
 std::vector<double> depthIntensities(const Mesh& mesh, const SnappedScene& snapped, const ViewSpec& view) {
-  std::vector<double> z = DepthOf{mesh, view}.faces(snapped);
-  if (z.empty()) return z;
-  const auto [least, most] = std::ranges::minmax_element(z);
-  const double far = *least, near = *most;
-  for (double& v : z) v = near > far ? 1.0 - (near - v) / (near - far) : 1.0;
-  return z;
+  Depths depths{mesh, snapped, view};
+  for (double& z : depths.z) z = depths.intensity(z);
+  return std::move(depths.z);
 }
 
 DepthTerms depthTerms(const Mesh& mesh, const SnappedScene& snapped, const ViewSpec& view, int face) {
-  const DepthOf depthOf{mesh, view};
-  const std::vector<double> all = depthOf.faces(snapped);
-  const auto [far, near] = std::ranges::minmax_element(all);
-  DepthTerms terms;
-  for (const int c : mesh.face(snapped.faces[face].number)) terms.z.push_back(*near - depthOf.corner(c));
-  terms.a = static_cast<double>(terms.z.size()) * (*near - *far);
-  if (terms.a > 0.0) terms.I = 1.0 - std::accumulate(terms.z.begin(), terms.z.end(), 0.0) / terms.a;
+  const Depths depths{mesh, snapped, view};
+  DepthTerms terms{.z = {}, .range = depths.range, .I = depths.intensity(depths.z[face])};
+  for (const int c : mesh.face(snapped.faces[face].number)) terms.z.push_back(depths.near - depths.corner(c));
   return terms;
 }
 

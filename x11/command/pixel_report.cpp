@@ -255,7 +255,7 @@ Json asJson(const PixelStory& story, const Explanation& e) {
            {"vertices", vertices},
            {"equations", equations},
            {"value", e.value[0]}};
-  if (e.depth) all["depth"] = {{"z", e.depth->z}, {"a", e.depth->a}};
+  if (e.depth) all["depth"] = {{"z", e.depth->z}, {"a", e.depth->a()}};
   if (e.texel)
     all["texel"] = {{"u", e.texel->u},
                     {"v", e.texel->v},

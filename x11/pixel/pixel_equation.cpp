@@ -77,7 +77,8 @@ void PixelPen::equation() {
     aside = std::string{"at vertex "} + letterOfVertex(page.vertex) + (aside.empty() ? "" : ", ") + aside;
   section("3 equation", aside);
   if (e().depth) {
-    const std::vector<std::string> words = depthWords(e());
+    const std::vector<std::string> words =
+        depthWords(e(), static_cast<std::size_t>(at.column.width / textWidth("0")));
     for (std::size_t k = 0; k < words.size(); ++k)
       if (k < 2)
         line(words[k], k == 0);

@@ -112,33 +112,40 @@ std::string formulaOf(const Explanation& e, const Illumination& light) {
   return "I = " + (row.ambientTerm.empty() ? "" : writtenOut(row.ambientTerm, " ", asItIs) + " + ") + shown;
 }
 
-std::vector<std::string> depthWords(const Explanation& e) {
+std::vector<std::string> depthWords(const Explanation& e, std::size_t widest) {
   if (!e.depth) return {};
   const std::vector<double>& z = e.depth->z;
-  if (e.depth->a == 0.0) return {"I = 1: all faces have the same depth"};
-  // A model may be of any size, so its lengths have so many digits and not so many decimals.
-  const auto length = [](double v) {
+  const double range = e.depth->range, a = e.depth->a();
+  if (range == 0.0) return {"I = 1: all faces have the same depth"};
+  // A model may be of any size, so its lengths have no fixed decimals. Their digits go down to range / 10^5.
+  const auto length = [range](double v) {
+    const double more =
+        v == 0.0 || !std::isfinite(v) ? 0.0 : std::floor(std::log10(std::abs(v)) - std::log10(range));
     std::array<char, 32> text;
-    const auto end = std::to_chars(text.begin(), text.end(), v, std::chars_format::general, 5).ptr;
+    const int digits = std::clamp(6 + static_cast<int>(more), 1, 17);
+    const auto end = std::to_chars(text.begin(), text.end(), v, std::chars_format::general, digits).ptr;
     return std::string{text.begin(), end};
   };
-  constexpr std::size_t kMostWritten = 4;
-  const std::size_t n = z.size();
-  const bool all = n <= kMostWritten;
+  const std::string result = " = " + fixed(e.I[0], kPixelDecimals);
+  const auto putIn = [&](const std::string& numbers) {
+    return "  = 1 - (" + numbers + ") / " + length(a) + result;
+  };
   std::string names = "z1", numbers = length(z[0]);
-  for (std::size_t k = 1; k < (all ? n : 2); ++k) {
+  for (std::size_t k = 1; k < z.size(); ++k) {
     names += " + z" + std::to_string(k + 1);
     numbers += (z[k] < 0.0 ? " - " : " + ") + length(std::abs(z[k]));
+    if (numbers.size() > widest) break;  // a face may have a million corners
   }
-  if (!all) {
-    names += " + ... + z" + std::to_string(n);
-    numbers = length(std::accumulate(z.begin(), z.end(), 0.0));
+  const double sum = std::accumulate(z.begin(), z.end(), 0.0);
+  std::string line = putIn(numbers);
+  if (line.size() > widest) {
+    names = "z1 + ... + z" + std::to_string(z.size());
+    line = putIn(length(sum));
   }
-  const double range = e.depth->a / static_cast<double>(n);
-  return {"I = 1 - (" + names + ") / a",
-          "  = 1 - (" + numbers + ") / " + length(e.depth->a) + " = " + fixed(e.I[0], kPixelDecimals),
-          "z: how far a corner lies behind the mean of the nearest face",
-          "a = " + std::to_string(n) + " x " + length(range) + ": the farthest face gets 0"};
+  if (!std::isfinite(a) || !std::isfinite(sum))
+    line = " " + result;  // the lengths are near the largest double
+  return {"I = 1 - (" + names + ") / a", line, "z: how far a corner lies behind the mean of the nearest face",
+          "a = " + std::to_string(z.size()) + " x " + length(range) + ": the farthest face gets 0"};
 }
 
 std::string mistakeWords(const Explanation& e, const Illumination& light) {
@@ -250,7 +257,9 @@ PickedWords pickedWords(const PixelStory& story, const Explanation& e) {
   const auto alike = [&](double border) {
     return e.intensity != border && fixed(e.intensity, decimals) == fixed(border, decimals);
   };
-  while (decimals < 12 && (alike(picked.from) || alike(picked.to))) ++decimals;
+  constexpr int kMostDecimals = 12;
+  while (decimals < kMostDecimals && (alike(picked.from) || alike(picked.to))) ++decimals;
+  if (alike(picked.from) || alike(picked.to)) decimals = kPixelDecimals;  // rounding alone tells them apart
   const bool last = shade + 1 == table.shades();
   return {"I " + fixed(e.intensity, decimals) + " picks shade " + std::to_string(shade) + " of " +
               std::to_string(table.shades()) + " (" +

@@ -61,7 +61,8 @@ struct HiddenCosines {
 [[nodiscard]] std::string sumOf(const ExplainedEquation& at, int c, bool together = false,
                                 std::optional<std::size_t> known = {});
 /// Shading by depth: the formula, the numbers put into it, and what they mean. No lines with another method.
-[[nodiscard]] std::vector<std::string> depthWords(const Explanation& e);
+/// The z of all corners are in it, or their sum where that line would have more than `widest` characters.
+[[nodiscard]] std::vector<std::string> depthWords(const Explanation& e, std::size_t widest = 100);
 /// The equation that is shown of an explanation: with Gouraud shading that of a vertex. Null if it has none.
 [[nodiscard]] const ExplainedEquation* equationShown(const Explanation& e, int vertex);
 /// "the weights on the screen count": which of the vertices' weights the method uses.

@@ -123,6 +123,25 @@ TEST_F(CommandTest, ExplainsShadingByDepth) {
   EXPECT_DOUBLE_EQ(flat.at("equations").at(0).at("at").at(2).get<double>(), -1.0);
 }
 
+// What only rounding tells apart has one depth: two plates through each other whose means are the same. And
+// lengths have as many digits as their sum needs: here a steep square reaches much farther than its mean lies
+// behind the other square.
+TEST_F(CommandTest, ExplainsDepthsThatHardlyDiffer) {
+  for (const char* pixel : {"266,162", "200,150"}) {
+    const auto one = runProgram({"explain", "penetrate", pixel, "--shade", "depth", "--size", "400x300"});
+    EXPECT_NE(one.out.find("      I = 1: all faces have the same depth\n"), std::string::npos) << one.out;
+  }
+  const std::string steep =
+      write("steep.obj",
+            "v -2 -1 1000.003\nv -1 -1 -999.997\nv -1 1 -999.997\nv -2 1 1000.003\n"
+            "v 1 -1 0.006\nv 2 -1 0.006\nv 2 1 0.006\nv 1 1 0.006\nf 1 2 3 4\nf 5 6 7 8\n");
+  const auto end = runProgram({"explain", steep, "62,75", "--shade", "depth", "--size", "200x150", "--vpn",
+                               "0,0,1", "--parallel", "6", "--look-at=0,0,0"});
+  EXPECT_NE(end.out.find("= 1 - (-999.997 + 1000.003 + 1000.003 - 999.997) / 0.012 = 0.0000\n"),
+            std::string::npos)
+      << end.out;
+}
+
 // Where the cells hold colours, the chain ends in the nearest of them. Both colours have one unit.
 TEST_F(CommandTest, ExplainsColors) {
   for (const char* scene : someOf({"colored-lights", "textured-cube"}, 1)) {

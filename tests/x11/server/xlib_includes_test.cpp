@@ -35,7 +35,7 @@ std::vector<std::string> foldersThatInclude(const std::string& what) {
 }  // namespace
 
 // Only the server's room and the event loop include Xlib, and the student's program, which is none of ours.
-// Its macros (None, Bool, Status) reach no other file.
+// So its macros (None, Bool, Status) reach no file of another room.
 TEST(XlibIncludes, AreInTheServersRoomAndTheEventLoop) {
   const std::vector<std::string> folders = foldersThatInclude("#include <X11/");
   EXPECT_THAT(folders, testing::Contains("x11/server"));
