@@ -1,6 +1,7 @@
 #include "shading/explain/explain.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "depthsort/oracle.h"
@@ -17,11 +18,13 @@ constexpr double clampedToOne(double I) { return std::clamp(I, 0.0, 1.0); }
 
 class OnePixel {
  public:
-  OnePixel(const Picture& picture, EquationOf& equations, int face, int i, int j)
+  OnePixel(const Picture& picture, EquationOf& equations, std::optional<DepthRange>& range, int face, int i,
+           int j)
       : picture_{picture},
         s_{picture.surfaces()},
         on_{s_, s_.snapped.faces[face]},
         equations_{equations},
+        range_{range},
         lit_{rowOf(s_.settings.shading).lit} {
     e_.i = i, e_.j = j, e_.face = face;
     e_.method = s_.settings.shading;
@@ -41,15 +44,7 @@ class OnePixel {
       e_.sum = on_.sumOfNormals();
       evaluate(on_.place(), on_.normal());
     }
-    if (e_.method == Shading::Depth) {
-      e_.depth = depthTerms(picture_.scene().mesh, s_.snapped, picture_.camera().view, e_.face);
-      e_.I[0] = e_.depth->I;
-      const auto inFile = [&](double length) {
-        return inFileUnits(glm::dvec3{length, 0.0, 0.0}, picture_.scene()).x;
-      };
-      std::ranges::transform(e_.depth->z, e_.depth->z.begin(), inFile);
-      e_.depth->range = inFile(e_.depth->range);
-    }
+    if (e_.method == Shading::Depth) takeDepths();
     if (e_.method == Shading::Full || e_.method == Shading::Environment) takeFromPicture();
     finish();
     return std::move(e_);
@@ -115,6 +110,19 @@ class OnePixel {
            here(diffuse) * e_.texel->share[c];
   }
 
+  void takeDepths() {
+    const Scene& scene = picture_.scene();
+    const ViewSpec& view = picture_.camera().view;
+    if (!range_) range_ = depthRange(scene.mesh, s_.snapped, view);
+    DepthTerms terms = depthTerms(scene.mesh, view, *range_, on_.face().number);
+    const double sum = std::accumulate(terms.z.begin(), terms.z.end(), 0.0);
+    e_.I[0] = terms.range > 0.0 ? 1.0 - sum / terms.a() : 1.0;
+    const auto inFile = [&](double length) { return inFileUnits(glm::dvec3{length, 0.0, 0.0}, scene).x; };
+    std::ranges::transform(terms.z, terms.z.begin(), inFile);
+    terms.range = inFile(terms.range);
+    e_.depth = std::move(terms);
+  }
+
   /// Full intensity, and what an environment's map holds.
   void takeFromPicture() {
     SeenRows here{s_.settings.width, e_.j,
@@ -143,6 +151,7 @@ class OnePixel {
   Surfaces s_;
   OnFace on_;
   EquationOf& equations_;
+  std::optional<DepthRange>& range_;  ///< found when it is needed first
   bool lit_;
   Explanation e_;
   std::vector<double> luminances_;  ///< of the vertices
@@ -151,7 +160,7 @@ class OnePixel {
 }  // namespace
 
 Explanation PixelExplainer::operator()(int face, int i, int j) {
-  return OnePixel{picture_, equations_, face, i, j}.make();
+  return OnePixel{picture_, equations_, range_, face, i, j}.make();
 }
 
 std::string faceName(const Picture& picture, int face) {

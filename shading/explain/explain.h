@@ -75,6 +75,7 @@ class PixelExplainer {
  private:
   const Picture& picture_;
   EquationOf equations_;
+  std::optional<DepthRange> range_;
 };
 
 }  // namespace xnewell

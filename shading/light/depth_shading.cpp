@@ -4,40 +4,29 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <utility>
 
 namespace xnewell {
 
 namespace {
 
-/// The depths of a snapped scene's faces along the viewing direction; larger is nearer.
-class Depths {
+/// The z of points along the viewing direction; larger is nearer.
+class DepthOf {
  public:
-  Depths(const Mesh& mesh, const SnappedScene& snapped, const ViewSpec& view)
-      : z(snapped.faces.size()), mesh_{mesh}, rotation_{vrcRotation(view)}, vrp_{view.vrp} {
-    double rounding = 0.0;
-    for (std::size_t f = 0; f < z.size(); ++f) {
-      const std::span<const int> corners = mesh.face(snapped.faces[f].number);
-      const auto n = static_cast<double>(corners.size());
-      double most = 0.0;
-      for (const int c : corners) {
-        z[f] += corner(c);
-        most = std::max(most, sumOf(mesh.points[c]) + sumOf(vrp_));
-      }
-      z[f] /= n;
-      near = std::max(near, z[f]), far = std::min(far, z[f]);
-      rounding = std::max(rounding, (n + 9.0) * 0x1p-53 * most);
-    }
-    range = near - far > 2.0 * rounding ? near - far : 0.0;
-  }
+  DepthOf(const Mesh& mesh, const ViewSpec& view)
+      : mesh_{mesh}, rotation_{vrcRotation(view)}, vrp_{view.vrp} {}
   [[nodiscard]] double corner(int c) const { return (rotation_ * (mesh_.points[c] - vrp_)).z; }
-  [[nodiscard]] double intensity(double mean) const {
-    return range > 0.0 ? 1.0 - (near - mean) / range : 1.0;
+  /// The mean of the corners.
+  [[nodiscard]] double face(int number) const {
+    double sum = 0.0;
+    for (const int c : mesh_.face(number)) sum += corner(c);
+    return sum / static_cast<double>(mesh_.face(number).size());
   }
-
-  std::vector<double> z;  ///< of each face: the mean of its corners
-  double near = -std::numeric_limits<double>::infinity(), far = -near;
-  double range = 0.0;  ///< from the nearest to the farthest; 0 if they count as the same
+  /// How far that may be off.
+  [[nodiscard]] double rounding(int number) const {
+    double most = 0.0;
+    for (const int c : mesh_.face(number)) most = std::max(most, sumOf(mesh_.points[c]) + sumOf(vrp_));
+    return (static_cast<double>(mesh_.face(number).size()) + 9.0) * 0x1p-53 * most;
+  }
 
  private:
   static double sumOf(const glm::dvec3& p) { return std::abs(p.x) + std::abs(p.y) + std::abs(p.z); }
@@ -47,18 +36,36 @@ class Depths {
   glm::dvec3 vrp_;
 };
 
-}  // namespace
-
-std::vector<double> depthIntensities(const Mesh& mesh, const SnappedScene& snapped, const ViewSpec& view) {
-  Depths depths{mesh, snapped, view};
-  for (double& z : depths.z) z = depths.intensity(z);
-  return std::move(depths.z);
+/// Also sets z to the depths of snapped.faces.
+DepthRange rangeOf(const DepthOf& depthOf, const SnappedScene& snapped, std::vector<double>& z) {
+  z.reserve(snapped.faces.size());
+  double near = -std::numeric_limits<double>::infinity(), far = -near, rounding = 0.0;
+  for (const SnappedFace& face : snapped.faces) {
+    z.push_back(depthOf.face(face.number));
+    near = std::max(near, z.back()), far = std::min(far, z.back());
+    rounding = std::max(rounding, depthOf.rounding(face.number));
+  }
+  return {near, near - far > 2.0 * rounding ? near - far : 0.0};
 }
 
-DepthTerms depthTerms(const Mesh& mesh, const SnappedScene& snapped, const ViewSpec& view, int face) {
-  const Depths depths{mesh, snapped, view};
-  DepthTerms terms{.z = {}, .range = depths.range, .I = depths.intensity(depths.z[face])};
-  for (const int c : mesh.face(snapped.faces[face].number)) terms.z.push_back(depths.near - depths.corner(c));
+}  // namespace
+
+DepthRange depthRange(const Mesh& mesh, const SnappedScene& snapped, const ViewSpec& view) {
+  std::vector<double> z;
+  return rangeOf({mesh, view}, snapped, z);
+}
+
+std::vector<double> depthIntensities(const Mesh& mesh, const SnappedScene& snapped, const ViewSpec& view) {
+  std::vector<double> z;
+  const DepthRange range = rangeOf({mesh, view}, snapped, z);
+  for (double& v : z) v = range.length > 0.0 ? 1.0 - (range.near - v) / range.length : 1.0;
+  return z;
+}
+
+DepthTerms depthTerms(const Mesh& mesh, const ViewSpec& view, const DepthRange& range, int face) {
+  const DepthOf depthOf{mesh, view};
+  DepthTerms terms{.z = {}, .range = range.length};
+  for (const int c : mesh.face(face)) terms.z.push_back(range.near - depthOf.corner(c));
   return terms;
 }
 

@@ -12,12 +12,12 @@ const std::array<RoundingMode, 4> kRoundingModes{
 namespace {
 
 /// Sets a rounding mode and goes back to the nearest at its end.
-class Mode {
+class InRoundingMode {
  public:
-  explicit Mode(int mode) { std::fesetround(mode); }
-  ~Mode() { std::fesetround(FE_TONEAREST); }
-  Mode(const Mode&) = delete;
-  Mode& operator=(const Mode&) = delete;
+  explicit InRoundingMode(int mode) { std::fesetround(mode); }
+  ~InRoundingMode() { std::fesetround(FE_TONEAREST); }
+  InRoundingMode(const InRoundingMode&) = delete;
+  InRoundingMode& operator=(const InRoundingMode&) = delete;
 };
 
 using Encodings = std::vector<std::int64_t>;
@@ -311,7 +311,7 @@ double shareAt(const Kernel& kernel, const Numbers& input, const RoundingMode& m
   const Numbers prepared = kernel.prepare ? kernel.prepare(input) : input;
   if (prepared.empty()) return 0;
   const Numbers result = [&] {
-    const Mode rounding{mode.mode};
+    const InRoundingMode rounds{mode.mode};
     return kernel.run(prepared);
   }();
   const bool nearest = mode.mode == FE_TONEAREST;

@@ -93,7 +93,7 @@ void printVectors(const Picture& picture, const ExplainedEquation& at, std::ostr
   const auto place = [&](const glm::dvec3& p) {
     std::string all;
     for (int axis = 0; axis < 3; ++axis)
-      all += (axis > 0 ? ", " : "") + fitted(p[axis] / lengthUnit(picture.scene()), kPixelDecimals, 11);
+      all += (axis > 0 ? ", " : "") + fitted(inFileUnits(p, picture.scene())[axis], kPixelDecimals, 11);
     return all;
   };
   out << "        at " << place(at.P) << "; the eye is at " << place(picture.camera().eye) << '\n';

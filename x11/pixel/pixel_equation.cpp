@@ -79,11 +79,7 @@ void PixelPen::equation() {
   if (e().depth) {
     const std::vector<std::string> words =
         depthWords(e(), static_cast<std::size_t>(at.column.width / textWidth("0")));
-    for (std::size_t k = 0; k < words.size(); ++k)
-      if (k < 2)
-        line(words[k], k == 0);
-      else if (hasRoom(3))
-        soft(x(), y, words[k]), y += at.pitch;
+    for (std::size_t k = 0; k < words.size(); ++k) line(words[k], k == 0);
     return;
   }
   const ExplainedEquation* const equation = equationShown(e(), page.vertex);
