@@ -116,7 +116,7 @@ class OnePixel {
     if (!range_) range_ = depthRange(scene.mesh, s_.snapped, view);
     DepthTerms terms = depthTerms(scene.mesh, view, *range_, on_.face().number);
     const double sum = std::accumulate(terms.z.begin(), terms.z.end(), 0.0);
-    e_.I[0] = terms.range > 0.0 ? 1.0 - sum / terms.a() : 1.0;
+    e_.I[0] = terms.range > 0.0 ? clampedToOne(1.0 - sum / terms.a()) : 1.0;  // rounding may miss 0 or 1
     const auto inFile = [&](double length) { return inFileUnits(glm::dvec3{length, 0.0, 0.0}, scene).x; };
     std::ranges::transform(terms.z, terms.z.begin(), inFile);
     terms.range = inFile(terms.range);

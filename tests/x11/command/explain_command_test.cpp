@@ -140,6 +140,18 @@ TEST_F(CommandTest, ExplainsDepthsThatHardlyDiffer) {
   EXPECT_NE(end.out.find("= 1 - (-999.997 + 1000.003 + 1000.003 - 999.997) / 0.012 = 0.0000\n"),
             std::string::npos)
       << end.out;
+  // Rounding gives the farthest face 1e-16, not 0. Twelve decimals would not tell that from the shade's
+  // border.
+  const std::string tiny = write("tiny.obj",
+                                 "v 1 -1 0.9\nv 2 -1 0.9\nv 1.5 1 0.9\n"
+                                 "v -2 -1 -0.13\nv -1 -1 -0.29\nv -1.5 1 -0.71\nf 1 2 3\nf 4 5 6\n");
+  const Strings farthest{"explain", tiny,    "62,78", "--shade",    "depth", "--size",
+                         "200x150", "--vpn", "0,0,1", "--parallel", "6",     "--look-at=0,0,0"};
+  const double I = Json::parse(runProgram(farthest + Strings{"--json"}).out).at("I").get<double>();
+  ASSERT_GT(I, 0.0);
+  ASSERT_LT(I, 1e-15);
+  const auto rounded = runProgram(farthest);
+  EXPECT_NE(rounded.out.find("      I 0.0000 picks shade 0 of 240"), std::string::npos) << rounded.out;
 }
 
 // Where the cells hold colours, the chain ends in the nearest of them. Both colours have one unit.
