@@ -11,10 +11,9 @@ namespace xnewell {
 inline constexpr std::size_t kMaxTextBytes = 2'147'483'647;
 
 /// Returns the whole file, byte for byte.
-/// Throws std::system_error, with the text `teapot.obj: No such file or directory`, if the file cannot be
-/// opened or read (a directory cannot). Throws ParseError if it is longer than kMaxTextBytes. The name in the
-/// message is the path as given.
-[[nodiscard]] std::string readTextFile(const std::filesystem::path& file);
+/// Throws as openInput() does (input_file.h), std::system_error if the file cannot be read, and ParseError if
+/// it has more bytes than `most`. The name in the message is the path as given.
+[[nodiscard]] std::string readTextFile(const std::filesystem::path& file, std::size_t most = kMaxTextBytes);
 
 /// Walks over the lines of a text and the words of a line without copying them. Call `nextLine()`, then
 /// `next()` until it returns an empty word; nextLine() skips the words that are left.

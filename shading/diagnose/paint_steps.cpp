@@ -1,10 +1,8 @@
 #include "shading/diagnose/paint_steps.h"
 
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <system_error>
 
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
@@ -13,7 +11,7 @@ namespace xnewell {
 
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 64 << 20;
+constexpr std::size_t kMostBytes = 64 << 20;
 constexpr std::size_t kMostCorners = 1000;
 constexpr double kFarthestPlace = 1e6;  ///< pixels
 
@@ -73,12 +71,7 @@ PaintStep stepOf(const nlohmann::json& json, int faces) {
 }  // namespace
 
 PaintOrder readPaintOrder(const std::string& file, int faces) {
-  std::error_code missing;
-  if (std::filesystem::exists(file, missing) && !std::filesystem::is_regular_file(file, missing))
-    throw ParseError{file, 0, "not a file with a painting order"};
-  if (const auto size = std::filesystem::file_size(file, missing); !missing && size > kMostBytes)
-    throw ParseError{file, 0, "longer than 64 MB"};
-  std::istringstream in{readTextFile(file)};
+  std::istringstream in{readTextFile(file, kMostBytes)};
   PaintOrder order;
   int number = 0;
   for (std::string line; std::getline(in, line);) {

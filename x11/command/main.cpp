@@ -18,6 +18,8 @@
 #include <system_error>
 #include <tuple>
 
+#include "geometry/files/input_file.h"
+#include "geometry/files/output_file.h"
 #include "geometry/files/parse_error.h"
 #include "shading/color/png.h"
 #include "shading/picture/picture_cache.h"
@@ -186,6 +188,7 @@ int teach(const Options& options) {
       throw UsageError{"--step: the lesson has " + counted(steps, "step")};
     if (std::filesystem::path{options.scene}.extension() == ".json") warnOfClaims(*lesson, options);
   }
+    checkOutputs(outputsOf(options));
   if (options.frames.empty() && options.worksheet.empty())
     return openWindow(options, readScene("teapot"), std::move(lesson));
   const std::string all = " of " + std::to_string(lesson->steps.size());
@@ -223,9 +226,11 @@ int run(int argc, char** argv) {
   if (!options.sceneFor.empty()) return tellSceneFor(options);
 
   const Stopwatch watch;
+  if (!options.handedIn.empty()) rememberInput(options.handedIn);
   Scene scene = readyScene(options);
   const double msRead = watch.ms();
   if (options.command == Command::View) return openWindow(options, std::move(scene));
+  checkOutputs(outputsOf(options));
   nlohmann::ordered_json accuracy;
   if (options.accuracy) accuracy = keepWithin(*options.accuracy, options, scene);
   if (options.command == Command::Snapshot)

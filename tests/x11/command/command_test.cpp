@@ -124,7 +124,6 @@ TEST_F(CommandTest, PictureAndFacesAreWrittenTogether) {
     refused(to(good, "/dev/full"), 1, "/dev/full: No space left on device");
     refused(to(file("no/such/a.png"), good), 1, file("no/such/a.png") + ": No such file or directory");
     refused(to("/dev/full", good), 1, "/dev/full: No space left on device");
-    refused(to(good, good), 2, "-o and --ids name the same file");
   }
 }
 

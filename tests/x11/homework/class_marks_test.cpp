@@ -60,7 +60,9 @@ TEST(ClassMarks, HaveARowForEachFile) {
   EXPECT_EQ(rows[4].words.substr(0, 10), "unreadable");
   EXPECT_EQ(rows[5].mistakes, "missing");
   EXPECT_EQ(rows[6].words, "unreadable: diagnose takes pictures of up to 4096 x 4096 pixels");
-  for (int k = 7; k < 10; ++k) EXPECT_EQ(rows[k].words, "unreadable: " + names[k] + ": not a file");
+  EXPECT_EQ(rows[7].words, "unreadable: hans.png: Is a directory");
+  EXPECT_EQ(rows[8].words, "unreadable: ida.png: No such file or directory");
+  EXPECT_EQ(rows[9].words, "unreadable: jana.jsonl: not a regular file");
 
   const std::string csv = marksAsCsv(rows);
   EXPECT_TRUE(csv.starts_with("file,verdict,mistakes,term,explained,informative,pixel,face,answers,words\n"));

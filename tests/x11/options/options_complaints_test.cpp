@@ -332,15 +332,4 @@ TEST(Options, RefuseWhatAViewCannotHeed) {
   EXPECT_EQ(complaintAll({"--scanline", "3", "--view", "machbands"}), "");
 }
 
-// No output may overwrite the scene or the other output.
-TEST(Options, OutputsAreFilesOfTheirOwn) {
-  const std::string lost = "-o and --ids must not name the scene's own file: it would be lost";
-  EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "a.obj"}), lost);
-  EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "x/../a.obj"}), lost);
-  EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "b", "--ids", "./a.obj"}), lost);
-  EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "b", "--ids", "./b"}), "-o and --ids name the same file");
-  EXPECT_EQ(complaintAll({"draw", "teapot", "-o", "teapot"}), "");  // a built-in scene is not a file
-  EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "/dev/null", "--ids", "/dev/null"}), "");
-}
-
 }  // namespace xnewell::THIS_FILE
