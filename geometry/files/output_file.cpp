@@ -4,11 +4,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <mutex>
 #include <set>
 #include <stdexcept>
 #include <system_error>
@@ -111,21 +114,35 @@ class Replacement {
   std::string file_, target_, temporary_;
 };
 
-/// Blocks the signals that would end the program, for the lifetime of the object.
+/// The signals that would end the program, and whether each came in a section.
+constexpr std::array kEnding{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGALRM, SIGUSR1, SIGUSR2, SIGXCPU};
+std::array<std::atomic<bool>, kEnding.size()> came;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+/// Lets signals that would end the program wait until the end of the object's lifetime, whichever thread they
+/// come to.
 class Uninterrupted {
  public:
   Uninterrupted() {
-    sigset_t ending;
-    ::sigemptyset(&ending);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::sigaddset(&ending, signal);
-    ::sigprocmask(SIG_BLOCK, &ending, &before_);
+    struct ::sigaction wait {};
+    wait.sa_handler = [](int signal) {
+      came[std::find(kEnding.begin(), kEnding.end(), signal) - kEnding.begin()] = true;
+    };
+    wait.sa_flags = SA_RESTART;
+    for (std::size_t k = 0; k < kEnding.size(); ++k) ::sigaction(kEnding[k], &wait, &before_[k]);
   }
   Uninterrupted(const Uninterrupted&) = delete;
   Uninterrupted& operator=(const Uninterrupted&) = delete;
-  ~Uninterrupted() { ::sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  ~Uninterrupted() {
+    for (std::size_t k = 0; k < kEnding.size(); ++k) ::sigaction(kEnding[k], &before_[k], nullptr);
+    for (std::size_t k = 0; k < kEnding.size(); ++k)
+      if (came[k].exchange(false)) ::raise(kEnding[k]);
+  }
 
  private:
-  sigset_t before_{};
+  inline static std::mutex one;  ///< another section would take our handler for the one before
+  const std::scoped_lock<std::mutex> alone_{one};
+  std::array<struct ::sigaction, kEnding.size()> before_{};
 };
 
 /// Refuses to write what was read, and two files at one place.

@@ -23,7 +23,7 @@ void rewriteFile(const std::string& file, std::string_view bytes);
 /// written directly come first. After that, a signal that would end the program waits until the end, so that
 /// no temporary file is left behind. While the program waits for a pipe, an interrupt still ends
 /// it.
-/// @throws std::system_error as writeFile() does
+/// @throws as writeFile() does, and std::invalid_argument if two are one file
 struct OutputFile {
   std::string name;
   std::string_view bytes;

@@ -219,11 +219,12 @@ TEST_F(WrittenFiles, AreNeitherReadNorOneFile) {
 }
 
 // An interrupt while a file is half written, and again before it takes its name: the program ends as soon as
-// the file is whole, with 128 and the signal's number, or as if there had been none. No temporary file stays.
+// the file is whole, with 128 and the signal's number, or as if there had been none. No temporary file stays,
+// although another thread would take the signal.
 TEST_F(WrittenFiles, SurviveInterrupts) {
   int interrupted = 0;
   for (const WritingRow& row : kWriting)
-    for (const int signal : someOf({SIGINT, SIGTERM}, 1)) {
+    for (const int signal : someOf({SIGINT, SIGTERM, SIGHUP, SIGPIPE}, 1)) {
       SCOPED_TRACE(std::string{row.command} + ' ' + std::string{row.option} + ", signal " +
                    std::to_string(signal));
       const std::string target = file(row.target);
