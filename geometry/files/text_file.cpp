@@ -11,6 +11,7 @@
 
 #include "geometry/files/input_file.h"
 #include "geometry/files/parse_error.h"
+#include "geometry/files/visible.h"
 
 namespace xnewell {
 
@@ -127,10 +128,8 @@ void Words::fail(int line, const std::string& what) const { throw ParseError{nam
 
 std::string inQuotes(std::string_view word) {
   constexpr std::size_t kShown = 40;
-  std::string shown{word.substr(0, kShown)};
-  std::replace_if(
-      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return "'" + shown + (word.size() > kShown ? "...'" : "'");
+  const std::string_view begin = beginOf(word, kShown);
+  return "'" + visible(begin) + (begin.size() < word.size() ? "...'" : "'");
 }
 
 }  // namespace xnewell

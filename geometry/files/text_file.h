@@ -54,8 +54,8 @@ class Words {
   bool begun_ = false;
 };
 
-/// A word of a file, for use in a message: in quotes, cut to 40 bytes. Every byte that is not printable ASCII
-/// becomes '?', so that a binary file does no harm to a terminal.
+/// A word of a file, for use in a message: in quotes, cut to 40 bytes, and visible (visible.h), so that a
+/// binary file does no harm to a terminal.
 [[nodiscard]] std::string inQuotes(std::string_view word);
 
 }  // namespace xnewell

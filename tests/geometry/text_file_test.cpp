@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "geometry/files/visible.h"
 #include "tests/support/reader_fixture.h"
 
 namespace xnewell::THIS_FILE {
@@ -120,7 +121,6 @@ TEST(ReadTextFile, SaysWhatTheSystemSays) {
   EXPECT_EQ(complaint([&] { return readTextFile(secret); }), refusal);
 }
 
-// A file that is too long is refused by its size. This one takes no room on the disk.
 // A pipe, to which nobody may write, and a device, which may have no end, are refused at once.
 TEST(ReadTextFile, ReadsRegularFilesOnly) {
   const TemporaryFolder folder;
@@ -131,6 +131,7 @@ TEST(ReadTextFile, ReadsRegularFilesOnly) {
     EXPECT_EQ(complaint([&] { return readTextFile(file); }), file + ": not a regular file");
 }
 
+// A file that is too long is refused by its size. This one takes no room on the disk.
 TEST(ReadTextFile, RefusesFilesBeyond31Bits) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.write("long.obj", "");
@@ -144,9 +145,16 @@ TEST(InQuotes, IsShortAndPrintable) {
   const std::string longest(40, 'x');
   EXPECT_EQ(inQuotes(longest), "'" + longest + "'");
   EXPECT_EQ(inQuotes(longest + "x"), "'" + longest + "...'");
-  EXPECT_EQ(inQuotes(std::string_view{"\x1b[J\0z\x7f~\xc3\xa9", 9}),
-            "'?[J?z?~?"
-            "?'");
+  EXPECT_EQ(inQuotes(std::string(39, 'x') + "\xc3\xa9"), "'" + std::string(39, 'x') + "...'");
+}
+
+// Only control characters change, those of Latin-1 too. A byte of another character is not one of them.
+TEST(Visible, KeepsAllButControlCharacters) {
+  EXPECT_EQ(visible(std::string_view{"\x1b[J\0z\x7f~\n\t", 9}), "\\x1b[J\\x00z\\x7f~\\n\\t");
+  const std::string letters = "\u00c9mile \u00d6 \u015b \u201c\u20ac\u201d \U0001FAD6 \xc9mile\xff";
+  EXPECT_EQ(visible(letters), letters);
+  EXPECT_EQ(visible("\u009b2J \x9b \xe0\x80\x9b"), "\\xc2\\x9b2J \\x9b \xe0\\x80\\x9b");
+  EXPECT_EQ(visible("\xe2\x82\xc2"), "\xe2\\x82\xc2");
 }
 
 }  // namespace xnewell::THIS_FILE

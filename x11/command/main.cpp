@@ -51,6 +51,7 @@
 #include "x11/scanline/scanline_trace.h"
 #include "x11/terminal/doing.h"
 #include "x11/terminal/memory.h"
+#include "x11/terminal/visible_stream.h"
 #include "x11/viewing/viewing_words.h"
 #include "x11/views/views.h"
 #include "x11/visual/x11_error.h"
@@ -187,8 +188,8 @@ int teach(const Options& options) {
     if (const auto steps = lesson->steps.size(); options.window.step > static_cast<int>(steps))
       throw UsageError{"--step: the lesson has " + counted(steps, "step")};
     if (std::filesystem::path{options.scene}.extension() == ".json") warnOfClaims(*lesson, options);
-  }
     checkOutputs(outputsOf(options));
+  }
   if (options.frames.empty() && options.worksheet.empty())
     return openWindow(options, readScene("teapot"), std::move(lesson));
   const std::string all = " of " + std::to_string(lesson->steps.size());
@@ -225,12 +226,12 @@ int run(int argc, char** argv) {
 
   if (!options.sceneFor.empty()) return tellSceneFor(options);
 
-  const Stopwatch watch;
   if (!options.handedIn.empty()) rememberInput(options.handedIn);
+  const Stopwatch watch;
   Scene scene = readyScene(options);
   const double msRead = watch.ms();
-  if (options.command == Command::View) return openWindow(options, std::move(scene));
   checkOutputs(outputsOf(options));
+  if (options.command == Command::View) return openWindow(options, std::move(scene));
   nlohmann::ordered_json accuracy;
   if (options.accuracy) accuracy = keepWithin(*options.accuracy, options, scene);
   if (options.command == Command::Snapshot)
@@ -294,6 +295,7 @@ void occupyStandardStreams() {
 
 /// Returns the exit status.
 int program(int argc, char** argv) try {
+  const VisibleStream out{std::cout}, errors{std::cerr};
   keepFreedMemory();
   occupyStandardStreams();
   // An interrupted picture leaves no files behind. A window, too, ends at once, even while Xlib waits for a

@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <memory>
 
+#include "geometry/files/visible.h"
+
 namespace xnewell {
 
 namespace {
@@ -17,7 +19,7 @@ ErrorTrap* innermost = nullptr;
 int strays = 0;
 int standardError = STDERR_FILENO;  ///< the stream for our own messages
 
-void tell(const std::string& what) { dprintf(standardError, "xnewell: %s\n", what.c_str()); }
+void tell(const std::string& what) { dprintf(standardError, "xnewell: %s\n", visible(what).c_str()); }
 
 /// The name of a request, such as "X_PutImage"; for an extension's request "MIT-SHM.3", or "request 130.3" if
 /// we must not ask the server for the extension's name.

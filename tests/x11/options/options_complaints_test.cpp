@@ -159,7 +159,7 @@ TEST(Options, RefuseTheUnknown) {
   EXPECT_EQ(complaint({"--", "extra.obj"}), "unexpected argument: 'extra.obj'");
   EXPECT_EQ(complaintAll({"lesson", "cycles", "extra"}), "unexpected argument: 'extra'");
   EXPECT_EQ(complaint({"--shade", "\x1b[2J"}),
-            "--shade: '?[2J' is not one of none, depth, flat, gouraud, phong, envmap");
+            "--shade: '\\x1b[2J' is not one of none, depth, flat, gouraud, phong, envmap");
   const std::string longest(100'000, 'a');
   for (const std::vector<std::string>& words : {std::vector<std::string>{"--" + longest},
                                                 {"--size", longest},
