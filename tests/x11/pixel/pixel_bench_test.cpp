@@ -159,6 +159,32 @@ TEST(PixelBench, HGoesThroughTheHistory) {
   EXPECT_EQ(explained(), last);
 }
 
+// A question for a number of the page ends when the page has another pixel, and when the pixel is moved.
+TEST(PixelBench, AQuestionEndsWithItsPage) {
+  for (const bool drags : {false, true}) {
+    PixelWindow b{"cycle"};
+    b.press('g');
+    b.type("164,27");
+    b.does(NamedKey::Return);
+    b.does('y');
+    ASSERT_TRUE(b.isAsking());
+    EXPECT_FALSE(b.bench().inspected()) << "hidden";
+    if (drags) {
+      const Rect at = b.bench().picture(b.layout());
+      ASSERT_TRUE(b.grab(at.x + 5, at.y + 5));
+      b.press('y');
+      b.dragTo(at.x + 6, at.y + 5);
+      b.settle();
+    } else {
+      b.resize(800, 600);
+    }
+    b.finish();
+    EXPECT_FALSE(b.isAsking());
+    b.does(NamedKey::Escape);
+    EXPECT_TRUE(b.bench().inspected());
+  }
+}
+
 // In a lesson 8 explains a pixel of the lesson's scene, and 7 goes back.
 TEST(PixelBench, ExplainsInALesson) {
   ReadyWorkbench b;
@@ -173,6 +199,23 @@ TEST(PixelBench, ExplainsInALesson) {
   b.press('7');
   b.finish();
   EXPECT_EQ(b.view(), WindowView::Lesson);
+}
+
+// The pixel is that of the step that the keys go to, however quickly they are pressed.
+TEST(PixelBench, ExplainsAStepThatIsNotDrawnYet) {
+  std::vector<std::string> said;
+  for (const bool waits : {true, false}) {
+    ReadyWorkbench b;
+    b.teach(readLesson(XNEWELL_DATA_DIR "/lessons/cycles.json"));
+    for (const Key& key : {Key{NamedKey::PageDown}, Key{NamedKey::PageDown}, Key{'8'}}) {
+      if (waits) b.finish();
+      b.press(key);
+    }
+    EXPECT_EQ(b.view(), WindowView::Pixel);
+    b.finish();
+    said.push_back(b.bench().status());
+  }
+  EXPECT_EQ(said.front(), said.back());
 }
 
 }  // namespace xnewell::THIS_FILE
