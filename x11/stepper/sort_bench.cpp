@@ -244,7 +244,7 @@ void SortBench::record(const Desk& desk) {
 }
 
 int SortBench::likeBefore() {
-  if (!about_) return 0;
+  if (!about_ || view().step == 0) return 0;  // the user may have gone to the start since
   // The same picture at another size usually has the same run.
   if (view().step <= run()->steps() && run()->about(view().step) == *about_) return view().step;
   const std::optional<int> step = run()->stepAbout(*about_);

@@ -159,12 +159,24 @@ TEST(PixelBench, HGoesThroughTheHistory) {
   EXPECT_EQ(explained(), last);
 }
 
-// A question for a number of the page ends when the page has another pixel, and when the pixel is moved.
+// A question for a number of the page ends when the page has another pixel, and when the pixel is moved. The
+// pixel is one of the teapot at the first size and one of the background at the second.
 TEST(PixelBench, AQuestionEndsWithItsPage) {
+  const PixelWindow first, second{"teapot", 800, 600};
+  const glm::ivec2 size{first.picture().settings().width, first.picture().settings().height};
+  const int width = second.picture().settings().width, height = second.picture().settings().height;
+  const auto faces = first.picture().faceImage(), then = second.picture().faceImage();
+  glm::ivec2 edge{0};
+  for (int k = 0; k < size.x * size.y; ++k) {
+    const glm::ivec2 p{k % size.x, k / size.x};
+    const int i = static_cast<int>((p.x + 0.5) / size.x * width),
+              j = static_cast<int>((p.y + 0.5) / size.y * height);
+    if (faces[k] != 0 && then[j * width + i] == 0) edge = p;
+  }
   for (const bool drags : {false, true}) {
-    PixelWindow b{"cycle"};
+    PixelWindow b;
     b.press('g');
-    b.type("164,27");
+    b.type(std::to_string(edge.x) + ',' + std::to_string(edge.y));
     b.does(NamedKey::Return);
     b.does('y');
     ASSERT_TRUE(b.isAsking());
