@@ -102,33 +102,6 @@ TEST(EveryView, DrawsEveryMethod) {
     }
 }
 
-// What a key asks is answered, or dropped, also after the page was made anew at another size.
-TEST(EveryView, QuestionsOutliveTheirPage) {
-  int questions = 0;
-  for (const WindowViewRow& row : kWindowViews) {
-    SCOPED_TRACE(nameOf(row));
-    ReadyWorkbench b{{}, 1024, 768, "cycle"};
-    for (char letter = '!'; letter <= '~'; ++letter)
-      for (const auto& [width, height] : {std::pair{800, 600}, {300, 200}}) {
-        b.resize(1024, 768);
-        b.does(row.key);
-        b.press(letter);
-        if (!b.isAsking()) break;
-        ++questions;
-        SCOPED_TRACE(letter);
-        b.resize(width, height);
-        b.finish();
-        if (width == 800 && b.isAsking()) {
-          b.press('1');
-          b.does(NamedKey::Return);
-        }
-        b.does(NamedKey::Escape);
-        EXPECT_FALSE(b.isAsking());
-      }
-  }
-  EXPECT_GT(questions, 40);
-}
-
 // The manual's tables of keys are those that the window acts by. To write them anew: xnewell keys
 // >x11/KEYS.md
 TEST(EveryView, TheManualListsTheKeys) {
