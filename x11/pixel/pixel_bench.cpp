@@ -81,7 +81,8 @@ void PixelBench::turnBall(double around, double down) {
 
 void PixelBench::predict() {
   if (predictions_.empty()) return host_.notify("No number of this pixel can be predicted.");
-  const Prediction asked = predictions_[static_cast<std::size_t>(next_) % predictions_.size()];
+  if (next_ >= predictions_.size()) next_ = 0;
+  const Prediction asked = predictions_[next_];
   hidden_ = asked.what, tried_ = false, late_ = true;
   const auto tell = [this, asked](const std::string& before) {
     reveal();
@@ -101,12 +102,12 @@ void PixelBench::predict() {
                tell("Right: ");
                return {};
              },
-             .dropped = [tell] { tell(""); }});
+             .dropped = [tell] { tell(""); },
+             .ofPicture = true});
 }
 
 void PixelBench::reveal() {
-  const std::size_t count = predictions_.size(), next = static_cast<std::size_t>(++next_) % count;
-  hidden_ = next == 0 ? std::nullopt : std::optional{predictions_[next].what};
+  hidden_ = ++next_ < predictions_.size() ? std::optional{predictions_[next_].what} : std::nullopt;
   late_ = true;
 }
 

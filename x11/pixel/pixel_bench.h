@@ -66,7 +66,7 @@ class PixelBench : public Bench {
   int vertex_ = 0, channel_ = 0;
   BallTurn ball_;
   std::optional<Predicted> hidden_;
-  int next_ = 0;  ///< of predictions_: the next one to ask
+  std::size_t next_ = 0;  ///< of predictions_: the next one to ask; the first again if there is none
   bool tried_ = false;
   Score score_;
   std::optional<PixelBefore> found_, kept_;  ///< when the pixel was chosen; by k

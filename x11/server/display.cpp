@@ -17,6 +17,7 @@ namespace {
 
 ErrorTrap* innermost = nullptr;
 int strays = 0;
+Window ours = 0;
 int standardError = STDERR_FILENO;  ///< the stream for our own messages
 
 void tell(const std::string& what) { dprintf(standardError, "xnewell: %s\n", visible(what).c_str()); }
@@ -102,6 +103,9 @@ int onError(Display* display, XErrorEvent* error) {
     if (!trap->first_) trap->first_ = *error;
     return 0;
   }
+  if (ours != 0 && error->resourceid == ours &&
+      (error->error_code == BadWindow || error->error_code == BadDrawable))
+    return 0;
   if (++strays <= kToldErrors) tell(describe(display, *error, /*mayAsk=*/false));
   return 0;
 }
@@ -121,6 +125,8 @@ OwnedDisplay openDisplay(const std::string& name) {
 }
 
 int strayErrors() { return strays; }
+
+void tellsItsEnd(Window window) { ours = window; }
 
 void nothingMoreIsNeeded() { allIsDone = true; }
 
