@@ -30,7 +30,6 @@
 #include "x11/app/snapshot.h"
 #include "x11/app/viewer.h"
 #include "x11/command/draw_figure.h"
-#include "x11/command/pixel_report.h"
 #include "x11/command/read_lecture.h"
 #include "x11/command/ready_scene.h"
 #include "x11/command/report.h"
@@ -48,6 +47,7 @@
 #include "x11/options/carried_setup.h"
 #include "x11/options/exit_status.h"
 #include "x11/options/options.h"
+#include "x11/pixel/pixel_page.h"
 #include "x11/scanline/scanline_trace.h"
 #include "x11/terminal/doing.h"
 #include "x11/terminal/memory.h"
@@ -97,7 +97,9 @@ void explainPixel(const Options& options, Scene scene) {
     const FaceCorner vertex = vertexOf(picture, options.window.vertex.value_or(""));
     return (options.json ? printViewingAsJson : printViewing)(picture, vertex, std::cout);
   }
-  (options.json ? printPixelAsJson : printPixel)(picture, options.pixel->x, options.pixel->y, std::cout);
+  const page::Page page =
+      page::ofPixel(std::make_shared<const PixelStory>(picture, options.pixel->x, options.pixel->y));
+  std::cout << (options.json ? page::asJson(page) : page::asText(page));
 }
 
 /// Draws the numbers behind the picture (--view) and writes them.

@@ -125,23 +125,6 @@ TEST(PixelBench, AHueIsStated) {
   EXPECT_EQ(b.image(), blue) << "as if it were drawn for the first time";
 }
 
-// The rows of a long history: the first, a gap, and the chosen one.
-TEST(PixelPage, RowsOfALongHistory) {
-  EXPECT_EQ(shownRows(3, 2, 5), (std::vector{0, 1, 2}));
-  EXPECT_EQ(shownRows(9, 3, 5), (std::vector{0, 1, 2, 3, -1}));
-  EXPECT_EQ(shownRows(9, 8, 5), (std::vector{0, -1, 6, 7, 8}));
-  EXPECT_EQ(shownRows(9, 5, 5), (std::vector{0, -1, 4, 5, 6}));
-  for (int count = 1; count < 30; ++count)
-    for (int chosen = 0; chosen < count; ++chosen)
-      for (const int room : {3, 5}) {
-        std::vector<int> rows = shownRows(count, chosen, room);
-        EXPECT_LE(static_cast<int>(rows.size()), room);
-        EXPECT_TRUE(std::ranges::find(rows, chosen) != rows.end()) << count << ' ' << chosen;
-        rows.erase(std::remove(rows.begin(), rows.end(), -1), rows.end());
-        EXPECT_TRUE(std::ranges::is_sorted(rows));
-      }
-}
-
 // h goes back through the polygons that were painted at the pixel, and from the first to the last: also in a
 // lecture, whose pages PgUp and PgDn turn.
 TEST(PixelBench, HGoesThroughTheHistory) {
