@@ -4,14 +4,21 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <mutex>
+#include <set>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include "geometry/files/input_file.h"
 
 namespace xnewell {
 
@@ -36,18 +43,6 @@ int writeAndClose(int descriptor, std::string_view bytes, bool toDisk = false) {
   // Some file systems report a full disk only here.
   if (::close(descriptor) != 0 && !error && errno != EINTR) error = errno;
   return error;
-}
-
-/// The file at the end of a chain of symbolic links. It need not exist.
-std::string resolved(const std::string& file) {
-  constexpr int kMostLinks = 40;  // as in Linux
-  std::filesystem::path end = file;
-  std::error_code none;  // what is wrong with the name shows when the file is opened
-  for (int k = 0; std::filesystem::is_symlink(end, none); ++k) {
-    if (k == kMostLinks) fail(ELOOP, file);
-    end = end.parent_path() / std::filesystem::read_symlink(end, none);
-  }
-  return end;
 }
 
 /// Gives a new file the owner, the group and the mode of the one that it replaces. What this user may not
@@ -89,7 +84,7 @@ void writeStraight(const std::string& file, std::string_view bytes) {
 /// A complete file under a temporary name. It is renamed by takeName(), or removed.
 class Replacement {
  public:
-  Replacement(std::string file, std::string_view bytes) : file_{std::move(file)}, target_{resolved(file_)} {
+  Replacement(std::string file, std::string_view bytes) : file_{std::move(file)}, target_{endOfLinks(file_)} {
     if (::access(file_.c_str(), F_OK) == 0 && ::faccessat(AT_FDCWD, file_.c_str(), W_OK, AT_EACCESS) != 0)
       fail(errno, file_);
     struct ::stat old {};
@@ -119,26 +114,65 @@ class Replacement {
   std::string file_, target_, temporary_;
 };
 
-/// Blocks the signals that would end the program, for the lifetime of the object.
+/// The signals that would end the program, and whether each came in a section.
+constexpr std::array kEnding{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGALRM, SIGUSR1, SIGUSR2, SIGXCPU};
+std::array<std::atomic<bool>, kEnding.size()> came;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+/// Lets signals that would end the program wait until the end of the object's lifetime, whichever thread they
+/// come to.
 class Uninterrupted {
  public:
   Uninterrupted() {
-    sigset_t ending;
-    ::sigemptyset(&ending);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::sigaddset(&ending, signal);
-    ::sigprocmask(SIG_BLOCK, &ending, &before_);
+    struct ::sigaction wait {};
+    wait.sa_handler = [](int signal) {
+      came[std::find(kEnding.begin(), kEnding.end(), signal) - kEnding.begin()] = true;
+    };
+    wait.sa_flags = SA_RESTART;
+    for (std::size_t k = 0; k < kEnding.size(); ++k) ::sigaction(kEnding[k], &wait, &before_[k]);
   }
   Uninterrupted(const Uninterrupted&) = delete;
   Uninterrupted& operator=(const Uninterrupted&) = delete;
-  ~Uninterrupted() { ::sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  ~Uninterrupted() {
+    for (std::size_t k = 0; k < kEnding.size(); ++k) ::sigaction(kEnding[k], &before_[k], nullptr);
+    for (std::size_t k = 0; k < kEnding.size(); ++k)
+      if (came[k].exchange(false)) ::raise(kEnding[k]);
+  }
 
  private:
-  sigset_t before_{};
+  inline static std::mutex one;  ///< another section would take our handler for the one before
+  const std::scoped_lock<std::mutex> alone_{one};
+  std::array<struct ::sigaction, kEnding.size()> before_{};
 };
 
-}  // namespace
+/// Refuses to write what was read, and two files at one place.
+void refuseLoss(std::span<const std::string> files) {
+  std::set<std::string> places;
+  for (const std::string& file : files) {
+    if (isInput(file))
+      throw std::invalid_argument{file + ": it was read, so it would be lost: name another file"};
+    if (!goesStraightIn(file) && !places.insert(placeOf(file)).second)
+      throw std::invalid_argument{file + ": two outputs would be this one file"};
+  }
+}
 
-void writeFiles(std::span<const OutputFile> files) {
+/// Refuses a file that surely cannot be written.
+void refuseUnwritable(const std::string& file) {
+  const auto check = [&](const std::string& path, int access) {
+    if (::faccessat(AT_FDCWD, path.c_str(), access, AT_EACCESS) != 0) fail(errno, file);
+  };
+  std::error_code none;
+  const std::filesystem::file_status status = std::filesystem::status(file, none);
+  if (std::filesystem::is_directory(status)) fail(EISDIR, file);
+  const bool exists = std::filesystem::exists(status);
+  if (exists) check(file, W_OK);
+  // A new file is made in the folder.
+  if (!goesStraightIn(file))
+    check((std::filesystem::path{placeOf(file)}.parent_path() / ".").string(), W_OK | X_OK);
+}
+
+/// Writes what nothing speaks against.
+void write(std::span<const OutputFile> files) {
   std::vector<const OutputFile*> whole;
   for (const OutputFile& file : files) {
     if (goesStraightIn(file.name))
@@ -153,8 +187,26 @@ void writeFiles(std::span<const OutputFile> files) {
   for (Replacement& replacement : replacements) replacement.takeName();
 }
 
+}  // namespace
+
+void writeFiles(std::span<const OutputFile> files) {
+  std::vector<std::string> names;
+  for (const OutputFile& file : files) names.push_back(file.name);
+  refuseLoss(names);
+  write(files);
+}
+
 void writeFile(const std::string& file, std::string_view bytes) {
   writeFiles(std::array{OutputFile{file, bytes}});
+}
+
+void rewriteFile(const std::string& file, std::string_view bytes) {
+  write(std::array{OutputFile{file, bytes}});
+}
+
+void checkOutputs(std::span<const std::string> files) {
+  refuseLoss(files);
+  for (const std::string& file : files) refuseUnwritable(file);
 }
 
 }  // namespace xnewell

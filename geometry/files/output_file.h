@@ -12,18 +12,26 @@ namespace xnewell {
 /// give them. A symbolic link stays, and the file that it points to is replaced or made. A hard link ends:
 /// the file's other names keep the old bytes. If all this makes no sense (/dev/stdout, /dev/fd/N, /dev/null,
 /// a pipe), the bytes are written directly.
-/// @throws std::system_error `FILE: No space left on device`
+/// @throws std::system_error `FILE: No space left on device`; std::invalid_argument if the program has read
+/// the file
 void writeFile(const std::string& file, std::string_view bytes);
 
+/// The same for a file that the program keeps for the user. It may have read what it replaces.
+void rewriteFile(const std::string& file, std::string_view bytes);
+
 /// Writes several whole files, all or none: each is renamed only when all are complete. Files that are
-/// written directly come first. After that, an interrupt (SIGINT, SIGTERM, SIGHUP, SIGQUIT) waits until the
-/// end, so that no temporary file is left behind. While the program waits for a pipe, an interrupt still ends
+/// written directly come first. After that, a signal that would end the program waits until the end, so that
+/// no temporary file is left behind. While the program waits for a pipe, an interrupt still ends
 /// it.
-/// @throws std::system_error as writeFile() does
+/// @throws as writeFile() does, and std::invalid_argument if two are one file
 struct OutputFile {
   std::string name;
   std::string_view bytes;
 };
 void writeFiles(std::span<const OutputFile> files);
+
+/// Finds out early whether writeFiles() surely refuses these files, before a command works for a long time.
+/// @throws as writeFiles() does
+void checkOutputs(std::span<const std::string> files);
 
 }  // namespace xnewell

@@ -1,25 +1,27 @@
 #include "geometry/files/text_file.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <memory>
 #include <system_error>
 #include <utility>
 
+#include "geometry/files/input_file.h"
 #include "geometry/files/parse_error.h"
+#include "geometry/files/visible.h"
 
 namespace xnewell {
 
 namespace {
 
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-[[noreturn]] void failTooLong(const std::string& name) {
-  throw ParseError{name, 0, "longer than " + std::to_string(kMaxTextBytes) + " bytes"};
+[[noreturn]] void failTooLong(const std::string& name, std::size_t most = kMaxTextBytes) {
+  constexpr std::size_t kMega = 1 << 20;
+  throw ParseError{name, 0,
+                   "longer than " + (most % kMega == 0 ? std::to_string(most / kMega) + " MB"
+                                                       : std::to_string(most) + " bytes")};
 }
 
 /// The bytes that may end a word: blanks, the end of the line, and a backslash, which may continue the line.
@@ -43,26 +45,24 @@ const char* afterContinuation(const char* p, const char* end) {
 
 }  // namespace
 
-std::string readTextFile(const std::filesystem::path& file) {
+std::string readTextFile(const std::filesystem::path& file, std::size_t most) {
   const std::string name = file.string();
-  const auto failErrno = [&] { throw std::system_error{errno, std::generic_category(), name}; };
-  const std::unique_ptr<std::FILE, Close> in{std::fopen(file.c_str(), "rb")};
-  if (!in) failErrno();
-
-  // The size is only a hint, because a pipe has none. One extra byte lets the first read find the end of the
-  // file.
-  std::error_code noSize;
-  const std::uintmax_t size = std::filesystem::file_size(file, noSize);
-  if (!noSize && size > kMaxTextBytes) failTooLong(name);
-  std::string text(noSize ? 1 << 16 : static_cast<std::size_t>(size) + 1, '\0');
+  const InputFile in = openInput(name);
+  // The size is only a hint: another program may write the file, and the files of /proc have none. One extra
+  // byte lets the first read find the end of the file.
+  struct ::stat status {};
+  ::fstat(::fileno(in.get()), &status);
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size > most) failTooLong(name, most);
+  std::string text(size + 1, '\0');
   std::size_t used = 0;
   while (true) {
     used += std::fread(text.data() + used, 1, text.size() - used, in.get());
     if (used < text.size()) break;
-    if (used > kMaxTextBytes) failTooLong(name);
-    text.resize(std::min(2 * used, kMaxTextBytes + 1));
+    if (used > most) failTooLong(name, most);
+    text.resize(std::min(2 * used, most + 1));
   }
-  if (std::ferror(in.get())) failErrno();
+  if (std::ferror(in.get())) throw std::system_error{errno, std::generic_category(), name};
   text.resize(used);
   return text;
 }
@@ -128,10 +128,8 @@ void Words::fail(int line, const std::string& what) const { throw ParseError{nam
 
 std::string inQuotes(std::string_view word) {
   constexpr std::size_t kShown = 40;
-  std::string shown{word.substr(0, kShown)};
-  std::replace_if(
-      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return "'" + shown + (word.size() > kShown ? "...'" : "'");
+  const std::string_view begin = beginOf(word, kShown);
+  return "'" + visible(begin) + (begin.size() < word.size() ? "...'" : "'");
 }
 
 }  // namespace xnewell

@@ -11,10 +11,9 @@ namespace xnewell {
 inline constexpr std::size_t kMaxTextBytes = 2'147'483'647;
 
 /// Returns the whole file, byte for byte.
-/// Throws std::system_error, with the text `teapot.obj: No such file or directory`, if the file cannot be
-/// opened or read (a directory cannot). Throws ParseError if it is longer than kMaxTextBytes. The name in the
-/// message is the path as given.
-[[nodiscard]] std::string readTextFile(const std::filesystem::path& file);
+/// Throws as openInput() does (input_file.h), std::system_error if the file cannot be read, and ParseError if
+/// it has more bytes than `most`. The name in the message is the path as given.
+[[nodiscard]] std::string readTextFile(const std::filesystem::path& file, std::size_t most = kMaxTextBytes);
 
 /// Walks over the lines of a text and the words of a line without copying them. Call `nextLine()`, then
 /// `next()` until it returns an empty word; nextLine() skips the words that are left.
@@ -55,8 +54,8 @@ class Words {
   bool begun_ = false;
 };
 
-/// A word of a file, for use in a message: in quotes, cut to 40 bytes. Every byte that is not printable ASCII
-/// becomes '?', so that a binary file does no harm to a terminal.
+/// A word of a file, for use in a message: in quotes, cut to 40 bytes, and visible (visible.h), so that a
+/// binary file does no harm to a terminal.
 [[nodiscard]] std::string inQuotes(std::string_view word);
 
 }  // namespace xnewell

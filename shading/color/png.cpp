@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/files/input_file.h"
 #include "geometry/files/output_file.h"
 #include "geometry/files/parse_error.h"
 
@@ -46,10 +47,6 @@ constexpr const char* kNote = "xnewell";
 
 /// The longest chunk besides pixels that is read, and the longest text that one may unfold to. Bytes.
 constexpr png_alloc_size_t kLongestChunk = 1 << 20;
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
 
 struct Output {
   std::string bytes;
@@ -129,10 +126,8 @@ std::string encoded(const Pixels& pixels) {
   return std::move(output.bytes);
 }
 
-std::unique_ptr<std::FILE, CloseFile> openPng(const std::string& file) {
-  std::unique_ptr<std::FILE, CloseFile> input{std::fopen(file.c_str(), "rb")};
-  if (!input && errno == ENOMEM) throw std::bad_alloc{};  // else a scene would be drawn without its texture
-  if (!input) throw std::system_error{errno, std::generic_category(), file};
+InputFile openPng(const std::string& file) {
+  InputFile input = openInput(file);
   std::array<std::uint8_t, 8> signature{};
   const std::size_t there = std::fread(signature.data(), 1, signature.size(), input.get());
   if (std::ferror(input.get())) throw std::system_error{errno, std::generic_category(), file};

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <charconv>
-#include <filesystem>
 #include <string_view>
-#include <system_error>
 
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
@@ -18,7 +15,7 @@ namespace {
 
 constexpr int kLargestSide = 8192;
 /// A window dump of that size with four bytes a pixel, and its head.
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} * kLargestSide * kLargestSide + (1 << 20);
+constexpr std::size_t kLargestFile = std::size_t{4} * kLargestSide * kLargestSide + (1 << 20);
 
 struct Bytes {
   std::string_view all;
@@ -132,14 +129,7 @@ HandedIn fromXwd(const Bytes& b) {
 }  // namespace
 
 HandedIn readHandedIn(const std::string& file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (error || !std::filesystem::exists(status))
-    throw std::system_error{ENOENT, std::generic_category(), file};
-  if (!std::filesystem::is_regular_file(status)) throw ParseError{file, 0, "not a file with a picture"};
-  if (std::filesystem::file_size(file) > kLargestFile)
-    throw ParseError{file, 0, "larger than any picture of 8192 x 8192 pixels"};
-  const std::string text = readTextFile(file);
+  const std::string text = readTextFile(file, kLargestFile);
   const Bytes bytes{text, file};
   if (text.starts_with("\x89PNG")) {
     HandedIn in{.picture = readPng(file), .cells = {}, .held = {}};

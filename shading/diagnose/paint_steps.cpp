@@ -1,23 +1,23 @@
 #include "shading/diagnose/paint_steps.h"
 
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <system_error>
 
-#include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
+#include "shading/scene/json_text.h"
 
 namespace xnewell {
 
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 64 << 20;
+using Json = Node::Json;
+
+constexpr std::size_t kMostBytes = 64 << 20;
 constexpr std::size_t kMostCorners = 1000;
 constexpr double kFarthestPlace = 1e6;  ///< pixels
 
-glm::dvec2 placeOf(const nlohmann::json& corner) {
+glm::dvec2 placeOf(const Json& corner) {
   if (!corner.is_array() || corner.size() != 2 || !corner[0].is_number() || !corner[1].is_number())
     throw std::runtime_error{"a corner of a piece is [x, y], in pixels"};
   const glm::dvec2 place{corner[0].get<double>(), corner[1].get<double>()};
@@ -26,11 +26,11 @@ glm::dvec2 placeOf(const nlohmann::json& corner) {
   return place;
 }
 
-glm::ivec2 sizeOf(const nlohmann::json& json) {
-  const auto isSide = [](const nlohmann::json& side) {
+glm::ivec2 sizeOf(const Json& json) {
+  const auto isSide = [](const Json& side) {
     return side.is_number_integer() && side >= kLeastOrderSize && side <= kMostOrderSize;
   };
-  const nlohmann::json& size = json["size"];
+  const Json& size = json["size"];
   if (json.size() != 1 || !size.is_array() || size.size() != 2 || !isSide(size[0]) || !isSide(size[1]))
     throw std::runtime_error{"the size is {\"size\": [width, height]}, each from " +
                              std::to_string(kLeastOrderSize) + " to " + std::to_string(kMostOrderSize) +
@@ -38,18 +38,20 @@ glm::ivec2 sizeOf(const nlohmann::json& json) {
   return {size[0].get<int>(), size[1].get<int>()};
 }
 
-nlohmann::json jsonOf(const std::string& text) {
-  nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-  if (json.is_discarded())
+Json jsonOf(const std::string& text, const std::string& file, int line) {
+  Json json;
+  try {
+    json = parsedJson(text, file, line);
+  } catch (const NotJson&) {
     for (const char* word : {"nan", "NaN", "inf", "Inf"})
       if (text.find(word) != std::string::npos)
-        throw std::runtime_error{std::string{"JSON has no "} + word + ": places are numbers"};
-  if (json.is_discarded() || !json.is_object())
-    throw std::runtime_error{"not a JSON object such as {\"face\": 17}"};
+        throw ParseError{file, line, std::string{"JSON has no "} + word + ": places are numbers"};
+  }
+  if (!json.is_object()) throw ParseError{file, line, "not a JSON object such as {\"face\": 17}"};
   return json;
 }
 
-PaintStep stepOf(const nlohmann::json& json, int faces) {
+PaintStep stepOf(const Json& json, int faces) {
   if (json.contains("size")) throw std::runtime_error{"the size stands once, before all faces"};
   const auto face = json.find("face");
   if (face == json.end() || !face->is_number_integer())
@@ -73,19 +75,14 @@ PaintStep stepOf(const nlohmann::json& json, int faces) {
 }  // namespace
 
 PaintOrder readPaintOrder(const std::string& file, int faces) {
-  std::error_code missing;
-  if (std::filesystem::exists(file, missing) && !std::filesystem::is_regular_file(file, missing))
-    throw ParseError{file, 0, "not a file with a painting order"};
-  if (const auto size = std::filesystem::file_size(file, missing); !missing && size > kMostBytes)
-    throw ParseError{file, 0, "longer than 64 MB"};
-  std::istringstream in{readTextFile(file)};
+  std::istringstream in{readTextFile(file, kMostBytes)};
   PaintOrder order;
   int number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const Json json = jsonOf(line, file, number);
     try {
-      const nlohmann::json json = jsonOf(line);
       if (json.contains("size") && order.steps.empty() && !order.size) {
         order.size = sizeOf(json);
         continue;
@@ -102,9 +99,9 @@ PaintOrder readPaintOrder(const std::string& file, int faces) {
 
 std::string paintOrderText(std::span<const PaintStep> steps, std::optional<glm::ivec2> size) {
   std::string text;
-  if (size) text += nlohmann::ordered_json{{"size", {size->x, size->y}}}.dump() + '\n';
+  if (size) text += Json{{"size", {size->x, size->y}}}.dump() + '\n';
   for (const PaintStep& step : steps) {
-    nlohmann::ordered_json line{{"face", step.face}};
+    Json line{{"face", step.face}};
     for (const glm::dvec2& corner : step.piece) line["piece"].push_back({corner.x, corner.y});
     text += line.dump() + '\n';
   }

@@ -153,7 +153,7 @@ Extremes extremesOf(const Scene& scene, const PictureSettings& settings,
   std::vector<std::future<void>> others;
   const int all = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
   for (int k = 1; k < std::min(all, extremes.allWays); ++k)
-    others.push_back(std::async(std::launch::async, takeWays));
+    others.push_back(std::async(std::launch::async | std::launch::deferred, takeWays));
   takeWays();
   for (std::future<void>& other : others) other.get();
   for (std::optional<Extreme>& way : done)

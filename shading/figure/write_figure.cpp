@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/files/text_file.h"
+#include "geometry/files/visible.h"
 
 namespace xnewell {
 
@@ -54,7 +55,7 @@ std::string hex(const Color& color) {
 
 std::string escaped(std::string_view text) {
   std::string xml;
-  for (const char c : text)
+  for (const char c : visible(text))  // XML has no control characters
     if (c == '&')
       xml += "&amp;";
     else if (c == '<')

@@ -62,7 +62,6 @@ void lengthenNormals(const Scene& scene, ShadingPoints& points, const std::vecto
 SceneShading SceneShading::next(const Scene& scene, const PictureSettings& settings, Channels channels,
                                 const Camera& camera) const {
   const ShadingRow& method = rowOf(settings.shading);
-  if (!method.lit) return {};  // nothing is lit, so nothing is kept
   const bool keepsIntensities = settings.shading == Shading::Flat || settings.shading == Shading::Gouraud;
   const bool hasMaps = settings.shading == Shading::Environment;
   SceneShading next = *this;
@@ -78,6 +77,7 @@ SceneShading SceneShading::next(const Scene& scene, const PictureSettings& setti
     return resolve(scene.mesh, scene.light, light.light, channels, eye.eye, eye.lookAt,
                    channels == Channels::Luminance && !isGray(scene));
   });
+  if (!method.lit) return next.onlyLights();  // nothing is lit, so nothing else is kept
   const Lighting& lighting = next.lighting();
 
   // The places at which the light is evaluated, and their normals.

@@ -21,8 +21,9 @@ namespace xnewell {
 
 /// The data that shading computes once for a scene and keeps: normals at vertices, the resolved light, and
 /// evaluated intensities. It holds only what is required: no vertex normals for flat shading, no intensities
-/// for Phong shading, and no normals at all where all light is ambient (environment maps keep theirs). It is
-/// an immutable value made of shared parts. The next value shares with it all parts that did not change.
+/// for Phong shading, and no normals at all where all light is ambient (environment maps keep theirs). A
+/// method that uses no light has the lighting() alone. It is an immutable value made of shared parts. The next
+/// value shares with it all parts that did not change.
 class SceneShading {
  public:
   /// The data for these settings. A part is computed again only if something that it depends on has changed.
@@ -57,6 +58,7 @@ class SceneShading {
   [[nodiscard]] const ShadingPoints& points() const { return refined() ? refined()->points : own_->points; }
   /// The index into points() at which flat shading evaluates a face.
   [[nodiscard]] int pointOf(const SnappedFace& face) const { return refined() ? face.part : face.number; }
+  /// Every method has it, also one that uses no light.
   [[nodiscard]] const Lighting& lighting() const { return *lighting_; }
   /// The intensities of one channel at points(). They are empty unless the method is flat or Gouraud shading.
   /// If lighting().luminance, those of channel 0 are the luminance of all three.

@@ -14,13 +14,15 @@ namespace {
 struct Progress {
   std::string_view text;
   const std::string& file;
+  int line = 1;  ///< on which the text begins
   std::ptrdiff_t read = 0;
 
   /// Names the line of the last character read. If that character ends a line, it does not count: it may be
   /// what ended a number.
+  template <class Error = ParseError>
   [[noreturn]] void fail(const std::string& what) const {
     const auto end = text.begin() + std::max(read - 1, std::ptrdiff_t{0});
-    throw ParseError{file, 1 + static_cast<int>(std::count(text.begin(), end, '\n')), what};
+    throw Error{file, line + static_cast<int>(std::count(text.begin(), end, '\n')), what};
   }
 };
 
@@ -65,20 +67,28 @@ class KeysOnce {
   std::vector<std::set<std::string>> open_;  ///< for each object being read, its keys so far
 };
 
-/// @throws ParseError with the line
-Node::Json parsed(std::string_view text, const std::string& name) {
-  Progress progress{text, name};
+/// Parses the text. `keep` says of each event whether its value is kept. A value is copied and destroyed by
+/// recursion, so one that is nested without end would end the stack.
+template <class Keep>
+Node::Json parsed(Progress& progress, Keep keep) {
+  constexpr int kDeepest = 100;
+  const std::string_view text = progress.text;
   const Walk begin{text.data(), progress}, end{text.data() + text.size(), progress};
   try {
-    return Node::Json::parse(begin, end, KeysOnce{progress});
+    return Node::Json::parse(
+        begin, end, [&](int depth, Node::Json::parse_event_t event, const Node::Json& parsed) {
+          if (depth > kDeepest)
+            progress.fail("lists and objects are nested more than " + std::to_string(kDeepest) + " deep");
+          return keep(depth, event, parsed);
+        });
   } catch (const Node::Json::parse_error&) {
-    progress.fail("not valid JSON here");
+    progress.fail<NotJson>("not valid JSON here");
   } catch (const Node::Json::out_of_range&) {
     progress.fail("a number is too large");
   }
 }
 
-/// Some members of the top-level object. @throws ParseError
+/// Some members of the top-level object.
 Node::Json head(std::string_view text, const std::string& name,
                 std::initializer_list<std::string_view> keys) {
   struct Enough {};
@@ -92,11 +102,10 @@ Node::Json head(std::string_view text, const std::string& name,
     if (found.size() == keys.size()) throw Enough{};
     return true;
   };
+  Progress progress{text, name};
   try {
-    [[maybe_unused]] const Node::Json rest = Node::Json::parse(text, keep);
+    [[maybe_unused]] const Node::Json rest = parsed(progress, keep);
   } catch (const Enough&) {
-  } catch (const Node::Json::exception&) {
-    throw ParseError{name, 0, "not valid JSON"};
   }
   return found;
 }
@@ -144,8 +153,13 @@ class DecimalsOfPolygons : public nlohmann::json_sax<Node::Json> {
 
 }  // namespace
 
+Node::Json parsedJson(std::string_view text, const std::string& file, int line) {
+  Progress progress{text, file, line};
+  return parsed(progress, KeysOnce{progress});
+}
+
 JsonText::JsonText(std::string_view text, std::string name)
-    : name_{std::move(name)}, value_{std::make_unique<const Node::Json>(parsed(text, name_))} {}
+    : name_{std::move(name)}, value_{std::make_unique<const Node::Json>(parsedJson(text, name_))} {}
 
 JsonText::JsonText(std::string_view text, std::string name, std::initializer_list<std::string_view> keys)
     : name_{std::move(name)}, value_{std::make_unique<const Node::Json>(head(text, name_, keys))} {}

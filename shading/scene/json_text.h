@@ -11,11 +11,21 @@
 
 namespace xnewell {
 
-/// A file's text as JSON. No object has a key twice.
+/// All JSON that the program reads is parsed here.
+
+/// The text is not JSON.
+struct NotJson : ParseError {
+  using ParseError::ParseError;
+};
+
+/// Parses a text that begins on this line of the file. @throws NotJson with the line; ParseError if a number
+/// is too large, if an object has a key twice, or if lists and objects are nested too deeply
+[[nodiscard]] Node::Json parsedJson(std::string_view text, const std::string& file, int line = 1);
+
+/// A file's text as JSON.
 class JsonText {
  public:
-  /// @throws ParseError with the line if the text is not JSON, has a number that is too large, or has a key
-  /// twice in an object
+  /// @throws as parsedJson()
   JsonText(std::string_view text, std::string name);
   /// Reads only these keys of the top-level object, and stops as soon as it has them all. They hold texts or
   /// numbers.
@@ -33,7 +43,7 @@ class JsonText {
 };
 
 /// How the numbers below each key "polygons" of a text are rounded, in the order of the file. JSON values no
-/// longer tell how many decimals they were written with.
+/// longer tell how many decimals they were written with. The text is one that was parsed.
 [[nodiscard]] std::vector<RoundingOfNumbers> roundingOfPolygons(std::string_view text);
 
 }  // namespace xnewell

@@ -13,6 +13,7 @@
 #include "geometry/files/data_folder.h"
 #include "geometry/files/model_file.h"
 #include "geometry/files/parse_error.h"
+#include "geometry/files/visible.h"
 #include "geometry/model/bezier.h"
 #include "geometry/model/coplanar.h"
 #include "geometry/model/teapot.h"
@@ -209,7 +210,7 @@ void wear(Scene& scene, Texture texture) {
 }
 
 std::string titleOf(const Scene& scene) {
-  const std::string name = scene.name.substr(scene.name.find_last_of('/') + 1);
+  const std::string name = visible(scene.name.substr(scene.name.find_last_of('/') + 1));
   const int all = scene.patches.empty() ? scene.divisions : scene.patches.front().divisions;
   const bool alike =
       std::ranges::all_of(scene.patches, [&](const PatchRun& run) { return run.divisions == all; });

@@ -24,8 +24,7 @@ Scene otherScene(const Node& root, const std::filesystem::path& folder, int divi
   const Node other = root.at("scene");
   if (root.has("divisions")) divisions = root.at("divisions").whole(1, kMaxDivisions);
   const std::string of = isBuiltIn(other.text()) ? other.text() : (folder / other.text()).string();
-  if (!isBuiltIn(of) && of.ends_with(".json") && std::filesystem::is_regular_file(of) &&
-      JsonText{readTextFile(of), of}.root().has("scene"))
+  if (!isBuiltIn(of) && isSetup(of))
     other.fail(inQuotes(other.text()) + " is itself a set-up of another scene; name that scene");
   Scene scene;
   if (!isBuiltIn(of) && !std::filesystem::path{of}.has_extension())
@@ -102,6 +101,11 @@ Scene parseSceneFile(std::string_view text, const std::string& name, const std::
 
 Scene readSceneFile(const std::filesystem::path& file, int divisions) {
   return parseSceneFile(readTextFile(file), file.string(), file.parent_path(), divisions);
+}
+
+bool isSetup(const std::filesystem::path& file) {
+  return file.extension() == ".json" && std::filesystem::is_regular_file(file) &&
+         JsonText{readTextFile(file), file.string()}.root().has("scene");
 }
 
 std::string sentenceOf(const std::filesystem::path& file) {

@@ -103,10 +103,9 @@ TEST(Obj, NamesWhatItLeavesOut) {
                   "a.obj: the program does not use vn, s, l, p, curv"));
   std::string many = afterThreeVertices("f 1 2 3\n");
   for (int i = 0; i < 100'000; ++i) many += "k" + std::to_string(i % 50'000) + "\x1b\n";
-  EXPECT_THAT(
-      meshOf(many).notes,
-      ElementsAre("a.obj: the program does not use k0?, k1?, k2?, k3?, k4?, k5?, k6?, k7?, k8?, k9?, k10?, "
-                  "k11? and others"));
+  EXPECT_THAT(meshOf(many).notes,
+              ElementsAre("a.obj: the program does not use k0\\x1b, k1\\x1b, k2\\x1b, k3\\x1b, k4\\x1b, "
+                          "k5\\x1b, k6\\x1b, k7\\x1b, k8\\x1b, k9\\x1b, k10\\x1b, k11\\x1b and others"));
 }
 
 // Line ends make no difference: LF or CR LF, with or without the last one.

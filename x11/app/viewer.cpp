@@ -309,6 +309,7 @@ class Viewer {
     pressedAt_ = event.xkey.time;
     const std::optional<Key> key = keyOf(event.xkey);
     if (!key) return;
+    if (event.type == KeyPress && bench_.waits(*key)) refresh();  // press() would, but not patiently
     if (event.type == KeyPress)
       bench_.press(*key);
     else

@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "geometry/exact/box.h"
+#include "geometry/files/input_file.h"
 #include "geometry/files/output_file.h"
 #include "shading/scene/divide_anew.h"
 #include "shading/scene/save_scene.h"
+#include "shading/scene/scene_file.h"
 #include "shading/scene/units.h"
 
 namespace xnewell {
@@ -38,7 +40,9 @@ bool Work::restore(std::vector<Setup>& from, std::vector<Setup>& to) {
 void Work::save(const std::string& name) {
   PictureSettings settings = setup.picture;
   settings.inPixels = setup.fill == Fill::XFillPolygon;
-  writeFile(name, savedScene(pictures.scene(), settings, std::filesystem::path{name}.parent_path()));
+  const std::string text = savedScene(pictures.scene(), settings, std::filesystem::path{name}.parent_path());
+  const bool opened = isInput(name) && isSetup(name);
+  (opened ? rewriteFile : writeFile)(name, text);
   file = name;
   saved = setup;
 }

@@ -131,7 +131,7 @@ void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
   if (const std::string_view why = keepFillable(next); !why.empty()) notify(std::string{why});
   if (next == work_.setup) return;
   work_.change(control, next);
-  if (!work_.pictures.hasLast()) return;
+  if (!shown_) return;
   if (const std::string why = whyMoot(control, picture(), next); !why.empty()) notify(why);
 }
 
@@ -178,12 +178,13 @@ WindowPlace Workbench::place() const {
 }
 
 void Workbench::explain(double x, double y) {
-  const auto place = placeSeen(picture(), static_cast<int>(x * picture().settings().width),
-                               static_cast<int>(y * picture().settings().height));
-  if (place)
-    pixel_->choose(*place);
-  else
-    pixel_->choose(x, y);
+  pixel_->choose(x, y);
+  if (shown_) {  // in view 8 the place has another pixel
+    const PictureSettings& settings = picture().settings();
+    const auto place =
+        placeSeen(picture(), static_cast<int>(x * settings.width), static_cast<int>(y * settings.height));
+    if (place) pixel_->choose(*place);
+  }
   switchTo(WindowView::Pixel);
 }
 
@@ -215,8 +216,8 @@ AccuracyKeeper::Seen Workbench::seen() const {
 
 bool Workbench::mustMeasure() const {
   // View 6 measures by itself, and a lesson must stay as it is told.
-  return keeper_ && !before_ && view() != WindowView::Trade && view() != WindowView::Lesson &&
-         work_.pictures.hasLast() && !keeper_->rests(seen());
+  return keeper_ && !before_ && view() != WindowView::Trade && view() != WindowView::Lesson && shown_ &&
+         !keeper_->rests(seen());
 }
 
 void Workbench::tick() {
@@ -296,13 +297,13 @@ PictureSettings Workbench::sized() const {
 }
 
 /// The palette without effects.
-Palette Workbench::plainPalette() const {
-  const Palette palette = picture().palette(plan(), server_.unneeded);
-  return server_.gray ? forGrayScreen(palette, picture()) : palette;
+Palette Workbench::plainPalette(const Picture& picture) const {
+  const Palette palette = picture.palette(plan(), server_.unneeded);
+  return server_.gray ? forGrayScreen(palette, picture) : palette;
 }
 
-void Workbench::makePalette(const PaletteEffects& effects) {
-  palette_ = withEffects(plainPalette(), picture(), plan(), effects);
+void Workbench::makePalette(const Picture& picture, const PaletteEffects& effects) {
+  palette_ = withEffects(plainPalette(picture), picture, plan(), effects);
 }
 
 void Workbench::drawFrame(bool dragging) {
@@ -314,19 +315,18 @@ void Workbench::drawFrame(bool dragging) {
   const CellPlan cells = plan();
   const Picture picture = work_.pictures.make(quick ? coarse(wanted) : wanted,
                                               whole ? std::optional{cells[Cell::Well]} : std::nullopt);
-  const auto isShown = [&](const Picture& shown) {
-    return shown.settings() == picture.settings() && &shown.scene() == &picture.scene();
-  };
-  const bool fresh = !whole || !shown_ || !shown_->image || !isShown(*shown_->image);
+  const bool isShown = shown_ && shown_->picture.settings() == picture.settings() &&
+                       &shown_->picture.scene() == &picture.scene();
+  if (!isShown) line_.leavePicture();
   slow_ = dragging && (quick || picture.times().total() > kFluid);
   dragging_ = dragging;
 
   const PaletteEffects effects = view.stored(work_.setup);
-  makePalette(effects);
+  makePalette(picture, effects);
   image_.width = width_, image_.height = height_;
   image_.pixels.assign(static_cast<std::size_t>(width_) * height_, cells[Cell::Paper]);
   const Painter paint{image_, layout_.unit};
-  const Palette plain = plainPalette();
+  const Palette plain = plainPalette(picture);
   const CellUse use = whole ? cellUse(picture.image(), view.countsPolygons() ? picture.faceImage()
                                                                              : std::vector<std::uint32_t>{})
                             : CellUse{};
@@ -336,7 +336,7 @@ void Workbench::drawFrame(bool dragging) {
                     .use = use,
                     .setup = work_.setup,
                     .layout = layout_,
-                    .fresh = fresh,
+                    .fresh = !whole || !isShown || !shown_->whole,
                     .dragging = dragging,
                     .coarse = quick,
                     .gray = server_.gray,
@@ -360,7 +360,7 @@ void Workbench::drawFrame(bool dragging) {
             .legend = legendOf(keys()),
             .help = help_ ? helpOf(keys()) : std::vector<HelpLine>{}};
   drawPanel(paint, layout_, panel_, cells);
-  shown_ = {indices(), {work_.setup, effects}, whole ? std::optional{picture} : std::nullopt};
+  shown_.emplace(indices(), Colors{work_.setup, effects}, picture, whole);
 }
 
 void Workbench::update(bool dragging) {
@@ -370,9 +370,9 @@ void Workbench::update(bool dragging) {
     case Stale::Colors: {
       PictureSettings recolored = picture().settings();  // of the last picture, which may be a coarse one
       recolored.table = sized().table;
-      work_.pictures.make(recolored);
+      shown_->picture = work_.pictures.make(recolored);
       shown_->colors = colors();
-      return makePalette(shown_->colors.effects);
+      return makePalette(shown_->picture, shown_->colors.effects);
     }
     case Stale::Everything:
       break;

@@ -78,7 +78,12 @@ class Workbench : public Host {
   /// The pointer, in pixels of the window. The button was pressed. Returns true if a drag begins; it ends
   /// when the button is released and settle() is called.
   [[nodiscard]] bool grab(int x, int y);
-  void dragTo(int x, int y) { bench().dragTo(x / layout_.unit, y / layout_.unit); }
+  void dragTo(int x, int y) {
+    line_.cancel();
+    bench().dragTo(x / layout_.unit, y / layout_.unit);
+  }
+  /// True if press() will update() first.
+  [[nodiscard]] bool waits(const Key& key) const { return !line_.isOpen() && bench().waits(key); }
   /// Ends a drag. What the drag left out becomes stale.
   void settle();
   /// The pointer moved with no button pressed.
@@ -119,8 +124,8 @@ class Workbench : public Host {
   [[nodiscard]] const Palette& palette() const { return palette_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
   [[nodiscard]] const Scene& scene() const { return work_.pictures.scene(); }
-  /// The picture that the last update() made.
-  [[nodiscard]] const Picture& picture() const { return work_.pictures.last(); }
+  /// The picture that the last update() made. Precondition: hasShown().
+  [[nodiscard]] const Picture& picture() const { return shown_.value().picture; }
   [[nodiscard]] WindowView view() const { return layout_.roomy ? view_ : WindowView::Picture; }
   /// True if an X server must fill the polygons at pictureArea().
   [[nodiscard]] bool serverFills() const {
@@ -205,7 +210,8 @@ class Workbench : public Host {
   struct Shown {
     Indices indices;
     Colors colors;
-    std::optional<Picture> image;  ///< the picture, if the view wanted its image
+    Picture picture;  ///< nothing else reaches a picture, so no key can ask for one before it is made
+    bool whole;       ///< the view wanted its image
   };
 
   /// What the window has of an area of the layout.
@@ -236,9 +242,9 @@ class Workbench : public Host {
   /// True if the limit of keepWithin() must be looked at again.
   [[nodiscard]] bool mustMeasure() const;
   void drawFrame(bool dragging);
-  /// Makes the palette from the colours of the last picture and these effects.
-  void makePalette(const PaletteEffects& effects);
-  [[nodiscard]] Palette plainPalette() const;
+  /// Makes the palette from the colours of the picture and these effects.
+  void makePalette(const Picture& picture, const PaletteEffects& effects);
+  [[nodiscard]] Palette plainPalette(const Picture& picture) const;
   /// What must be shown now.
   [[nodiscard]] Indices indices() const;
   [[nodiscard]] Colors colors() const { return {work_.setup, bench().stored(work_.setup)}; }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/files/output_file.h"
+#include "geometry/files/visible.h"
 #include "shading/figure/make_figure.h"
 #include "shading/figure/write_figure.h"
 #include "x11/app/workbench.h"
@@ -47,7 +48,7 @@ void Workbench::copyCommand() {
     const bool alone = view() == WindowView::Picture && layout_.drawer == Drawer::Whole;
     const std::string whole = alone ? "" : pictureNote();
     std::string text;
-    for (const std::string& line : bench().inWords()) text += "# " + line + '\n';
+    for (const std::string& line : bench().inWords()) text += "# " + visible(line) + '\n';
     const std::optional<std::string> own = bench().command();
     server_.copy(text + (own ? *own
                          : !whole.empty()

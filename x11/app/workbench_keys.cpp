@@ -17,7 +17,9 @@ void Workbench::press(const Key& key) {
     help_ = false;
     if (key.name == NamedKey::Escape) return;
   }
-  if (turnsPage(key) || bench().press(key) || pressIn(generalKeys(), key, *this)) return;
+  if (turnsPage(key)) return;
+  for (int k = 0; k < 2 && waits(key); ++k) update(dragging_);
+  if (bench().press(key) || pressIn(generalKeys(), key, *this)) return;
   notify(nameOf(key) + " does nothing here; ? lists all keys.");
 }
 

@@ -18,6 +18,8 @@
 #include <system_error>
 #include <tuple>
 
+#include "geometry/files/input_file.h"
+#include "geometry/files/output_file.h"
 #include "geometry/files/parse_error.h"
 #include "shading/color/png.h"
 #include "shading/picture/picture_cache.h"
@@ -28,7 +30,6 @@
 #include "x11/app/snapshot.h"
 #include "x11/app/viewer.h"
 #include "x11/command/draw_figure.h"
-#include "x11/command/pixel_report.h"
 #include "x11/command/read_lecture.h"
 #include "x11/command/ready_scene.h"
 #include "x11/command/report.h"
@@ -46,9 +47,11 @@
 #include "x11/options/carried_setup.h"
 #include "x11/options/exit_status.h"
 #include "x11/options/options.h"
+#include "x11/pixel/pixel_page.h"
 #include "x11/scanline/scanline_trace.h"
 #include "x11/terminal/doing.h"
 #include "x11/terminal/memory.h"
+#include "x11/terminal/visible_stream.h"
 #include "x11/viewing/viewing_words.h"
 #include "x11/views/views.h"
 #include "x11/visual/x11_error.h"
@@ -94,7 +97,9 @@ void explainPixel(const Options& options, Scene scene) {
     const FaceCorner vertex = vertexOf(picture, options.window.vertex.value_or(""));
     return (options.json ? printViewingAsJson : printViewing)(picture, vertex, std::cout);
   }
-  (options.json ? printPixelAsJson : printPixel)(picture, options.pixel->x, options.pixel->y, std::cout);
+  const page::Page page =
+      page::ofPixel(std::make_shared<const PixelStory>(picture, options.pixel->x, options.pixel->y));
+  std::cout << (options.json ? page::asJson(page) : page::asText(page));
 }
 
 /// Draws the numbers behind the picture (--view) and writes them.
@@ -185,6 +190,7 @@ int teach(const Options& options) {
     if (const auto steps = lesson->steps.size(); options.window.step > static_cast<int>(steps))
       throw UsageError{"--step: the lesson has " + counted(steps, "step")};
     if (std::filesystem::path{options.scene}.extension() == ".json") warnOfClaims(*lesson, options);
+    checkOutputs(outputsOf(options));
   }
   if (options.frames.empty() && options.worksheet.empty())
     return openWindow(options, readScene("teapot"), std::move(lesson));
@@ -222,9 +228,11 @@ int run(int argc, char** argv) {
 
   if (!options.sceneFor.empty()) return tellSceneFor(options);
 
+  if (!options.handedIn.empty()) rememberInput(options.handedIn);
   const Stopwatch watch;
   Scene scene = readyScene(options);
   const double msRead = watch.ms();
+  checkOutputs(outputsOf(options));
   if (options.command == Command::View) return openWindow(options, std::move(scene));
   nlohmann::ordered_json accuracy;
   if (options.accuracy) accuracy = keepWithin(*options.accuracy, options, scene);
@@ -289,6 +297,7 @@ void occupyStandardStreams() {
 
 /// Returns the exit status.
 int program(int argc, char** argv) try {
+  const VisibleStream out{std::cout}, errors{std::cerr};
   keepFreedMemory();
   occupyStandardStreams();
   // An interrupted picture leaves no files behind. A window, too, ends at once, even while Xlib waits for a

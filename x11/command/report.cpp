@@ -14,7 +14,6 @@
 #include "shading/scene/divide_anew.h"
 #include "x11/command/costs.h"
 #include "x11/command/errors_json.h"
-#include "x11/terminal/check_writable.h"
 #include "x11/terminal/doing.h"
 #include "x11/window/moot.h"
 
@@ -117,9 +116,6 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
 
 Measurements measured(const Options& options, const Picture& picture) {
   Measurements measured;
-  if (options.costs || options.errors)
-    for (const std::string& file : {options.output, options.ids})
-      if (!file.empty()) checkWritable(file);
   if (options.costs) {
     const Doing measuring{"measuring what each item costs"};
     measured.costs = costsOf(picture);

@@ -9,14 +9,12 @@
 #include "x11/command/extremes_chart.h"
 #include "x11/command/extremes_report.h"
 #include "x11/options/exit_status.h"
-#include "x11/terminal/check_writable.h"
 #include "x11/terminal/doing.h"
 #include "x11/terminal/interrupt.h"
 
 namespace xnewell {
 
 int tellExtremes(const Options& options, const Scene& scene) {
-  if (!options.output.empty()) checkWritable(options.output);
   awaitInterrupt();
   PictureSettings settings = options.picture;
   const glm::ivec2 size = options.size.value_or(kExtremesSize);

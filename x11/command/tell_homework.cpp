@@ -1,12 +1,14 @@
 #include "x11/command/tell_homework.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "geometry/files/input_file.h"
 #include "geometry/files/output_file.h"
 #include "geometry/files/text_file.h"
 #include "shading/diagnose/diagnose.h"
@@ -20,7 +22,6 @@
 #include "x11/homework/questions.h"
 #include "x11/lessons/lesson.h"
 #include "x11/options/exit_status.h"
-#include "x11/terminal/check_writable.h"
 #include "x11/terminal/doing.h"
 #include "x11/terminal/interrupt.h"
 
@@ -107,7 +108,6 @@ std::optional<int> rightAnswerOf(const std::string& name, int step) {
 }  // namespace
 
 int tellDiagnosis(const Options& options, Scene scene) {
-  if (!options.output.empty()) checkWritable(options.output);
   const HandedIn handed = readHandedIn(options.handedIn);
   const PictureSettings settings = sized(options, {handed.picture.width, handed.picture.height});
   refuseWhatIsNotDiagnosed(scene, settings);
@@ -142,7 +142,6 @@ int tellSceneFor(const Options& options) {
 }
 
 int tellJudgement(const Options& options, Scene scene) {
-  if (!options.output.empty()) checkWritable(options.output);
   const auto [steps, size] = readPaintOrder(options.handedIn, scene.mesh.faceCount());
   if (size && options.size && *size != *options.size)
     throw UsageError{options.handedIn + " is for a picture of " + sizeText(size->x, size->y) +
@@ -162,12 +161,13 @@ int tellJudgement(const Options& options, Scene scene) {
 }
 
 int gradeFolder(const Options& options, Scene scene) {
-  for (const std::string* file : {&options.output, &options.page})
-    if (!file->empty()) checkWritable(*file);
   refuseWhatIsNotDiagnosed(scene, options.picture);
   const std::vector<std::string> names = handedInFiles(options.handedIn);
   if (names.empty())
     throw UsageError{"grade: no picture, order (.jsonl) or answers (.json) is in " + options.handedIn};
+  for (const std::string& name : names)
+    rememberInput((std::filesystem::path{options.handedIn} / name).string());
+  checkOutputs(outputsOf(options));
   awaitInterrupt();
   const std::string title = "Marks: " + titleOf(scene);
   PictureSettings settings = sized(options, kPictureSize);
@@ -192,7 +192,6 @@ int gradeFolder(const Options& options, Scene scene) {
 }
 
 int tellQuestions(const Options& options, const Scene& scene) {
-  if (!options.gift.empty()) checkWritable(options.gift);
   std::optional<Doing> making{"making questions"};
   const QuestionScene about{scene, sized(options, kPictureSize)};
   const std::vector<ExamQuestion> questions =

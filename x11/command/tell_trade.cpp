@@ -15,7 +15,6 @@
 #include "shading/trade/measure.h"
 #include "x11/command/trade_report.h"
 #include "x11/options/exit_status.h"
-#include "x11/terminal/check_writable.h"
 #include "x11/terminal/doing.h"
 #include "x11/terminal/interrupt.h"
 #include "x11/views/trade_chart.h"
@@ -116,7 +115,6 @@ PictureSettings settingsOf(const Options& options) {
 }
 
 int tellTrade(const Options& options, Scene scene) {
-  if (!options.output.empty()) checkWritable(options.output);
   awaitInterrupt();
   const Shared<Scene> shared{std::move(scene)};
   const Trade trade = measured(options, options.trade, shared);

@@ -115,6 +115,8 @@ void printViewing(const Picture& picture, const FaceCorner& vertex, std::ostream
       << (picture.shading().lighting().channels > 1 ? ", as a gray" : "")
       << ". Behind the world, N goes where "
       << "the plane\ngoes, L and V where these directions go; fatt stays\n";
+  if (const ShadingRow& method = rowOf(picture.settings().shading); !method.lit)
+    out << "the picture itself has --shade " << method.name << ", which uses no light\n";
   for (const ViewStageRow& row : kViewStages)
     if (!story.stages.letters(row.id).empty()) printMatrix(story, row.id, unit, out);
   out << "  x, y and z are divided by w "

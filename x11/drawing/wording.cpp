@@ -34,6 +34,14 @@ std::string fixed(double value, int decimals) {
   return result;
 }
 
+std::string fitted(double value, int decimals, int most) {
+  if (!std::isfinite(value)) return "-";
+  for (int d = decimals; d >= 0; --d)
+    if (std::string text = fixed(value, d); static_cast<int>(text.size()) <= most) return text;
+  int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  return fixed(value / std::pow(10.0, exponent), 0) + "e" + std::to_string(exponent);
+}
+
 std::string msText(double ms) {
   const int decimals = ms > 0 && ms < 1 ? std::min(6, 2 - static_cast<int>(std::floor(std::log10(ms)))) : 2;
   return fixed(ms, decimals);

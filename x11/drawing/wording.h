@@ -16,6 +16,9 @@ inline constexpr std::string_view kNothingShows = "Nothing of the scene is in th
 
 /// A number with a fixed number of decimals, so that columns align: 0.0042. -0.0 becomes 0.0.
 [[nodiscard]] std::string fixed(double value, int decimals);
+/// A number with this many decimals, or with fewer where it would be longer than `most` characters; in powers
+/// of ten if even that does not fit, and "-" if it is not finite.
+[[nodiscard]] std::string fitted(double value, int decimals, int most);
 /// Milliseconds: with two decimals, and below 1 with three significant digits: 12.34, 0.0123.
 [[nodiscard]] std::string msText(double ms);
 /// 12,345.

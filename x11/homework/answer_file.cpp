@@ -1,9 +1,6 @@
 #include "x11/homework/answer_file.h"
 
-#include <cstdint>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
@@ -13,7 +10,7 @@ namespace xnewell {
 
 namespace {
 
-constexpr std::uintmax_t kMostAnswerBytes = 1 << 20;
+constexpr std::size_t kMostAnswerBytes = 1 << 20;
 
 std::string answerLetter(int answer) { return {static_cast<char>('a' + answer)}; }
 
@@ -27,10 +24,7 @@ int readAnswerLetter(const Node& node) {
 }  // namespace
 
 std::vector<AnsweredQuestion> readAnswers(const std::string& file) {
-  std::error_code missing;
-  if (const auto size = std::filesystem::file_size(file, missing); !missing && size > kMostAnswerBytes)
-    throw ParseError{file, 0, "longer than 1 MB"};
-  const JsonText json{readTextFile(file), file};
+  const JsonText json{readTextFile(file, kMostAnswerBytes), file};
   const Node root = json.root();
   root.expectKeys({"answers"});
   if (!root.has("answers")) root.fail("answers is needed");

@@ -11,6 +11,7 @@
 
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
+#include "geometry/files/visible.h"
 #include "shading/color/png.h"
 #include "shading/picture/picture_cache.h"
 #include "x11/drawing/wording.h"
@@ -33,13 +34,6 @@ std::string smallPng(const RgbImage& image) {
   for (int j = 0; j < small.height; ++j)
     for (int i = 0; i < small.width; ++i) std::copy_n(image.pixel(i * step, j * step), 3, small.pixel(i, j));
   return encodePng(small);
-}
-
-/// The bytes that are no printable ASCII become '?'.
-std::string printable(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
-  return text;
 }
 
 std::string csvField(const std::string& text) {
@@ -135,7 +129,6 @@ MarkedFile Marker::mark(const std::string& folder, const std::string& name) {
   MarkedFile row{.file = name};
   const std::string path = (std::filesystem::path{folder} / name).string();
   try {
-    if (!std::filesystem::is_regular_file(path)) throw ParseError{path, 0, "not a file"};
     if (name.ends_with(".jsonl"))
       markOrder(row, path);
     else if (name.ends_with(".json"))
@@ -185,10 +178,10 @@ std::string marksAsCsv(const std::vector<MarkedFile>& rows) {
         row.pixel ? std::to_string(row.pixel->first) + ' ' + std::to_string(row.pixel->second) : "";
     bool first = true;
     for (const std::string& field :
-         {printable(row.file), row.verdict, row.mistakes, row.terms, share(row.explained),
+         {visible(row.file), row.verdict, row.mistakes, row.terms, share(row.explained),
           share(row.informative), pixel, row.face ? std::to_string(*row.face) : "",
           row.asked > 0 ? std::to_string(row.right) + " of " + std::to_string(row.asked) : "",
-          printable(row.words)}) {
+          visible(row.words)}) {
       csv += (first ? "" : ",") + csvField(field);
       first = false;
     }
@@ -248,9 +241,9 @@ img { max-width: 240px; image-rendering: pixelated }
                                               std::to_string(row.pixel->second) +
                                               (row.face ? ", face " + std::to_string(*row.face) : "")
                                         : "";
-    page += "<tr>" + element("td", printable(row.file)) + "<td>" +
+    page += "<tr>" + element("td", visible(row.file)) + "<td>" +
             (row.picture.empty() ? "" : imageElement(row.picture)) + "</td>" +
-            element("td", printable(row.words)) + element("td", where) + "</tr>\n";
+            element("td", visible(row.words)) + element("td", where) + "</tr>\n";
   }
   return page + "</table>\n</html>\n";
 }

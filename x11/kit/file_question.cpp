@@ -1,7 +1,7 @@
 #include "x11/kit/file_question.h"
 
+#include <exception>
 #include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "x11/kit/one_line.h"
@@ -23,7 +23,7 @@ Question fileQuestion(std::string asks, std::string text,
             }
             try {
               write(file);
-            } catch (const std::system_error& e) {
+            } catch (const std::exception& e) {
               return oneLine(e.what());
             }
             return {};

@@ -20,6 +20,10 @@ class TypedLine {
  public:
   void ask(Question question);
   void cancel();
+  /// Another picture is shown.
+  void leavePicture() {
+    if (question_ && question_->ofPicture) cancel();
+  }
   [[nodiscard]] bool isOpen() const { return question_.has_value(); }
   /// Edits the text of an open line. Return gives it to the question, which may complain and stay; Esc
   /// cancels.

@@ -27,7 +27,7 @@ void KeptAnswers::add(const Lesson& lesson, int step, int answer) {
   std::vector<AnsweredQuestion> all;
   for (const auto& [name, steps] : lessons_)
     for (const auto& [number, kept] : steps) all.push_back({name, number + 1, kept.tries, kept.right});
-  writeFile(file_, answersText(all));
+  rewriteFile(file_, answersText(all));
 }
 
 std::string KeptAnswers::score(const std::string& lesson) const {

@@ -51,6 +51,7 @@ void LessonBench::openExhibit() {
   scene.name = "lesson " + std::to_string(lesson_->number) + " of " +
                std::to_string(lessons_.entries().size()) + " \u00B7 " + lesson_->title;
   opened_ = true;
+  drawn_.reset();
   host_.open(std::move(scene), first);
 }
 

@@ -156,6 +156,13 @@ struct Options {
   }
 };
 
+/// The files that the command writes, without folders and answers.
+[[nodiscard]] inline std::vector<std::string> outputsOf(const Options& o) {
+  std::vector<std::string> all{o.output, o.ids, o.page, o.gift, o.worksheet};
+  std::erase(all, "");
+  return all;
+}
+
 /// The size of the window, in pixels: what --size says, or kWindowSize in units.
 [[nodiscard]] inline glm::ivec2 windowSize(const Options& o) {
   return o.size.value_or(kWindowSize * o.scale);

@@ -19,14 +19,6 @@ void exclude(bool a, bool b, const std::string& both) {
   if (a && b) throw UsageError{both + " exclude each other"};
 }
 
-/// True if both names lead to the same regular file, or to the same place for a file that does not exist yet.
-bool sameFile(const std::string& a, const std::string& b) {
-  namespace fs = std::filesystem;
-  std::error_code missing;
-  if (fs::exists(a, missing)) return fs::is_regular_file(a, missing) && fs::equivalent(a, b, missing);
-  return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
-}
-
 /// Whether the command line is at a place where an option works (OptionRow::places).
 bool isAt(const Options& o, std::string_view place) {
   std::istringstream words{std::string{place}};
@@ -151,8 +143,6 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   if (takes && o.handedIn.empty())
     throw UsageError{name + " needs, after the scene, " + std::string{rowOf(o.command).takes}};
   if (grades && o.output.empty()) throw UsageError{"grade needs -o MARKS.csv"};
-  if (grades && !o.page.empty() && sameFile(o.output, o.page))
-    throw UsageError{"-o and --page name the same file"};
   if (explains && !o.pixel && !o.gave("--viewing"))
     throw UsageError{"explain needs a pixel X,Y of the picture, such as 400,300: xnewell explain " + o.scene +
                      " 400,300"};
@@ -196,16 +186,6 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
     exclude(!o.frames.empty(), !o.worksheet.empty(), "--frames and --worksheet");
     needsWindow("a lesson", o);
   }
-  const bool file = !isBuiltIn(o.scene);
-  for (const std::string* made : {&o.output, &o.ids})
-    if (file && !made->empty() && sameFile(*made, o.scene))
-      throw UsageError{"-o and --ids must not name the scene's own file: it would be lost"};
-  for (const std::string* made : {&o.output, &o.ids})
-    if (!o.carrier.empty() && !made->empty() && sameFile(*made, o.carrier))
-      throw UsageError{"-o and --ids must not name the picture that carries the set-up: it would be lost"};
-  if (!o.handedIn.empty() && !o.output.empty() && sameFile(o.output, o.handedIn))
-    throw UsageError{"-o must not name what is handed in: it would be lost"};
-  if (!o.ids.empty() && sameFile(o.ids, o.output)) throw UsageError{"-o and --ids name the same file"};
   exclude(o.accuracy.has_value(), o.wholeWindow, "--accuracy and --whole-window");
   exclude(o.quick, o.wholeWindow, "--quick and --whole-window");
   const bool follows = o.window.polygon && traces;

@@ -1,7 +1,7 @@
 #include "x11/pixel/pixel_bench.h"
 
 #include <algorithm>
-#include <cctype>
+#include <memory>
 #include <utility>
 
 #include "shading/explain/pixel_place.h"
@@ -17,10 +17,24 @@ const char* const kTurns = "with the arrows: turn the scene, zoom, turn the ball
 
 }  // namespace
 
+PixelFrame frameOf(const Layout& at) {
+  const Rect& body = at.body;
+  const int left = at.compact ? 250 : std::max(404, body.width * 2 / 5), gap = at.compact ? 26 : 32;
+  const int controls = at.compact ? 52 : 80, least = at.compact ? 120 : 210;
+  PixelFrame frame;
+  frame.picture = {body.x, body.y, left, std::min(left * 2 / 3, body.height - gap - controls - least)};
+  const int top = body.y + frame.picture.height + gap;
+  frame.below = {body.x, top, left,
+                 std::max(least, std::min(left * 11 / 20, body.y + body.height - top - controls)) + 14};
+  frame.column = {body.x + left + kMargin, body.y, body.width - left - kMargin, body.height};
+  frame.controls = top + frame.below.height + (at.compact ? 6 : 16);
+  return frame;
+}
+
 void PixelBench::choose(double x, double y) {
   x_ = x, y_ = y;
-  chosen_.reset(), hidden_.reset();
-  next_ = 0;
+  chosen_.reset();
+  quiz_.startAgain();
   found_.reset(), now_.reset();
   late_ = true;
 }
@@ -79,37 +93,6 @@ void PixelBench::turnBall(double around, double down) {
   late_ = true;
 }
 
-void PixelBench::predict() {
-  if (predictions_.empty()) return host_.notify("No number of this pixel can be predicted.");
-  const Prediction asked = predictions_[static_cast<std::size_t>(next_) % predictions_.size()];
-  hidden_ = asked.what, tried_ = false, late_ = true;
-  const auto tell = [this, asked](const std::string& before) {
-    reveal();
-    std::string name = asked.name;
-    if (before.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-    host_.tell(before + name + " is " + fixed(asked.written, asked.decimals) + "." +
-               (hidden_ ? " y asks the next number, Esc shows all." : "") +
-               (score_.asked > 0 ? " " + score_.inWords() + "." : ""));
-  };
-  const std::string least = asked.decimals > 0 ? ", to two decimals at least" : "";
-  host_.ask({.asks = "predict " + asked.name + least,
-             .take = [this, asked, tell](const std::string& text) -> std::string {
-               const Judged answer = judged(asked, text);
-               if (!answer.complaint.empty()) return answer.complaint;
-               if (!std::exchange(tried_, true)) score_.add(answer.isRight);
-               if (!answer.isRight) return text + " is not right. Try again, or press Esc to see it.";
-               tell("Right: ");
-               return {};
-             },
-             .dropped = [tell] { tell(""); }});
-}
-
-void PixelBench::reveal() {
-  const std::size_t count = predictions_.size(), next = static_cast<std::size_t>(++next_) % count;
-  hidden_ = next == 0 ? std::nullopt : std::optional{predictions_[next].what};
-  late_ = true;
-}
-
 /// The parts of the page that the pointer can press: the ball, the pixels around, and the history.
 void PixelBench::addParts(Controls& all) {
   all.push_back({.kind = Control::Kind::Own,
@@ -124,8 +107,8 @@ void PixelBench::addParts(Controls& all) {
                      move((x - around_.x) / side - kAround, (y - around_.y) / side - kAround);
                  }});
   all.push_back({.kind = Control::Kind::Own, .part = 2, .drag = [this](int x, int y, int, int) {
-                   for (const auto& [row, k] : places_.history)
-                     if (row.has(x, y)) chosen_ = k, late_ = true;
+                   for (const page::Pressed& one : pressed_)
+                     if (one.id == kPressHistory && one.area.has(x, y)) chosen_ = one.row, late_ = true;
                  }});
 }
 
@@ -169,30 +152,25 @@ KeyTable PixelBench::ownKeys() {
     chosen_ = (chosen_.value_or(shown_) + painted_ - 1) % painted_;
     late_ = true;
   });
-  add('y', "predict", "predict a number: it is hidden until you type it", [this] { predict(); });
-  const std::string none = vertices_ > 0 ? "" : "Only Gouraud shading evaluates the light at vertices.";
-  const std::string next = "the next vertex of Gouraud shading; the next channel";
-  table.push_back({{'j'},
-                   vertices_ > 0 ? "vertex" : "",
-                   next,
-                   [this](const Key&) {
-                     vertex_ = (vertex_ + 1) % std::max(1, vertices_);
-                     late_ = true;
-                   },
-                   none});
-  const std::string one = channels_ > 1 ? "" : "The picture has one channel.";
-  table.push_back({{'x'},
-                   channels_ > 1 ? "channel" : "",
-                   next,
-                   [this](const Key&) {
-                     channel_ = (channel_ + 1) % channels_;
-                     late_ = true;
-                   },
-                   one});
+  add('y', "predict", "predict a number: it is hidden until you type it",
+      [this] { quiz_.ask("No number of this pixel can be predicted."); });
+  const auto next = [&](char key, const char* legend, int& which, const int& count, const char* none) {
+    table.push_back({{key},
+                     *none == 0 ? legend : "",
+                     "the next vertex of Gouraud shading; the next channel",
+                     [this, &which, &count](const Key&) {
+                       which = (which + 1) % std::max(1, count);
+                       late_ = true;
+                     },
+                     none});
+  };
+  next('j', "vertex", vertex_, vertices_,
+       vertices_ > 0 ? "" : "Only Gouraud shading evaluates the light at vertices.");
+  next('x', "channel", channel_, channels_, channels_ > 1 ? "" : "The picture has one channel.");
   add('k', "keep", "keep this pixel's numbers, to compare with what comes; or no longer", [this] {
     kept_ = kept_ ? std::nullopt : now_;
     late_ = true;
-    if (kept_ && hidden_)
+    if (kept_ && quiz_.isHiding())
       host_.tell("Kept. k forgets it.");
     else if (kept_)
       host_.tell("Kept: I " + kept_->I + ", cell " + std::to_string(kept_->cell) + ". k forgets it.");
@@ -200,7 +178,7 @@ KeyTable PixelBench::ownKeys() {
   add(NamedKey::Return, "the stepper", "step through the depth sort",
       [this] { host_.switchTo(WindowView::DepthSort); });
   add(NamedKey::Escape, "", "show what predict hides; give the arrows back to the pixel", [this] {
-    showAll();
+    quiz_.showAll();
     list_.setFocus(std::nullopt);
   });
   append(table, zoomKeys(host_.setup(), subject_(), change()));
@@ -208,8 +186,7 @@ KeyTable PixelBench::ownKeys() {
 }
 
 void PixelBench::draw(Painter paint, const Desk& desk) {
-  late_ = false;
-  const PixelLayout at = layoutOfPixel(desk.layout);
+  const PixelFrame at = frameOf(desk.layout);
   picture_ = at.picture, unit_ = desk.layout.unit;
   const IndexImage& image = desk.picture.image();
   width_ = image.width, height_ = image.height;
@@ -218,13 +195,14 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
   place_.reset();
   if (const std::optional<glm::ivec2> asked = std::exchange(asked_, std::nullopt)) {
     goTo(asked->x, asked->y);
-    late_ = false;
   }
   const int i = pixel().x, j = pixel().y;
   const bool changed = setup_ && *setup_ != desk.setup && !desk.dragging;
-  if (changed) chosen_.reset(), hidden_.reset(), next_ = 0;
+  if (changed) chosen_.reset(), quiz_.startAgain();
   setup_ = desk.setup;
-  const PixelStory story{desk.picture, i, j};
+  late_ = false;
+  const auto shared = std::make_shared<const PixelStory>(desk.picture, i, j);
+  const PixelStory& story = *shared;
   painted_ = static_cast<int>(story.history.painted.size()), shown_ = story.history.shown;
   if (chosen_ && *chosen_ >= painted_) chosen_.reset();
   const int chosen = chosen_.value_or(std::max(0, shown_));
@@ -240,11 +218,17 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
     now_ = PixelBefore{intensityWords(story, *shown), story.cell()};
   if (!found_) found_ = now_;
   vertex_ = vertices_ > 0 ? vertex_ % vertices_ : 0, channel_ %= channels_;
-  predictions_.clear();
-  if (painted_ > 0) {
-    const Explanation& e = story.explained[static_cast<std::size_t>(chosen)];
-    predictions_ = predictionsOf(story, e, equationShown(e, vertex_), channel_);
-  }
+  const PixelSight sight{.chosen = chosen,
+                         .vertex = vertex_,
+                         .channel = channel_,
+                         .before = kept_            ? kept_
+                                   : found_ != now_ ? found_
+                                                    : std::nullopt,
+                         .ball = ball_,
+                         .palette = &desk.palette,
+                         .shownBits = desk.shownBits};
+  const page::Page page = page::ofPixel(shared, sight);
+  quiz_.setQuestions(page.questions);
 
   paint.place(image, at.picture.x, at.picture.y);
   const Rect mark{at.picture.x + i / unit_ - 7, at.picture.y + j / unit_ - 7, 15, 15};
@@ -252,29 +236,23 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
   inside.frame({mark.x - 1, mark.y - 1, mark.width + 2, mark.height + 2}, desk.plan[Cell::Black]);
   inside.frame(mark, desk.plan[Cell::White]);
   Pen pen{paint, desk.plan};
-  places_ = drawPixelPage(pen, at,
-                          {.story = story,
-                           .chosen = chosen,
-                           .vertex = vertex_,
-                           .channel = channel_,
-                           .before = kept_            ? kept_
-                                     : found_ != now_ ? found_
-                                                      : std::nullopt,
-                           .ball = ball_,
-                           .asked = hidden_,
-                           .palette = desk.palette,
-                           .shownBits = desk.shownBits});
+  const int pitch = page::pitchOf(desk.layout.body);
+  pressed_ = page::draw(pen, page, at.column, pitch, quiz_.hiding());
+  for (const page::Pressed& one :
+       page::draw(pen, page::besidePixel(shared, sight), at.below, pitch, quiz_.hiding()))
+    pressed_.push_back(one);
   const Controls all = controls();
   list_.forgetPlaces();
   const RowStyle narrow{.width = at.picture.width, .track = at.picture.width - 84 - 60};
   int y = at.controls;
   for (const char key : {'s', 'n'}) y = list_.placeRow(all, key, at.picture.x, y, narrow);
   list_.place({}, {.area = at.picture, .grip = at.picture, .bare = true});
-  around_ = at.neighbourhood;
-  list_.place({0, 1}, {.area = around_, .grip = around_, .bare = true, .passive = true});
-  if (places_.ball.height > 0) list_.place({'b'}, {.area = places_.ball, .grip = places_.ball, .bare = true});
-  for (const auto& [row, k] : places_.history)
-    list_.place({0, 2}, {.area = row, .grip = row, .bare = true, .passive = true});
+  for (const page::Pressed& one : pressed_) {
+    if (one.id == kPressAround) around_ = one.area;
+    const bool ball = one.id == kPressBall;
+    list_.place(ball ? ControlId{'b'} : ControlId{0, one.id == kPressAround ? 1 : 2},
+                {.area = one.area, .grip = one.area, .bare = true, .passive = !ball});
+  }
   list_.draw(pen, all);
   status_ = "pixel " + std::to_string(i) + ", " + std::to_string(j) + " of " + sizeText(width_, height_) +
             ": " +
@@ -282,7 +260,7 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
                  ? std::string{"ground"}
                  : "face " + faceName(desk.picture,
                                       story.history.painted[static_cast<std::size_t>(shown_)].fragment.face));
-  words_ = hidden_ ? std::vector<std::string>{} : shortStory(story, chosen);
+  words_ = quiz_.isHiding() ? std::vector<std::string>{} : page::asLines(page);
   words_.insert(words_.begin(), status_);
 }
 

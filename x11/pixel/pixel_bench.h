@@ -5,11 +5,18 @@
 #include <optional>
 #include <string>
 
-#include "x11/kit/score.h"
+#include "x11/kit/quiz.h"
 #include "x11/pixel/pixel_page.h"
 #include "x11/window/bench.h"
 
 namespace xnewell {
+
+/// A picture, what is below it, and the page beside both.
+struct PixelFrame {
+  Rect picture, below, column;
+  int controls = 0;  ///< the baseline of the first row of controls
+};
+[[nodiscard]] PixelFrame frameOf(const Layout& at);
 
 /// View 8: why one pixel of the picture has its colour. A changed setting keeps the pixel.
 class PixelBench : public Bench {
@@ -32,7 +39,7 @@ class PixelBench : public Bench {
   [[nodiscard]] KeyTable ownKeys() override;
   void enter() override { list_.setFocus(std::nullopt); }
 
-  [[nodiscard]] Rect picture(const Layout& at) const override { return layoutOfPixel(at).picture; }
+  [[nodiscard]] Rect picture(const Layout& at) const override { return frameOf(at).picture; }
   /// The page states what cells hold, so another hue draws it again.
   [[nodiscard]] bool late(const Setup& setup) const override {
     return late_ || setup_ != setup || list_.late();
@@ -43,18 +50,15 @@ class PixelBench : public Bench {
     return "a changed setting keeps the pixel; Esc gives the arrows back to it";
   }
   [[nodiscard]] std::vector<std::string> inWords() const override { return words_; }
-  [[nodiscard]] std::optional<int> inspected() const override { return hidden_ ? std::nullopt : cell_; }
+  [[nodiscard]] std::optional<int> inspected() const override {
+    return quiz_.isHiding() ? std::nullopt : cell_;
+  }
 
  private:
   void move(int columns, int rows);
   void goTo(int column, int row);
   void walk(int steps);
   void turnBall(double around, double down);
-  /// Hides the next value, and all that follow from it, until the student has typed it or given up.
-  void predict();
-  /// Shows it. The values after it stay hidden, so that they can be asked.
-  void reveal();
-  void showAll() { hidden_.reset(), late_ = true; }
   void addParts(Controls& all);
 
   std::function<Subject()> subject_;
@@ -65,20 +69,16 @@ class PixelBench : public Bench {
   std::optional<int> chosen_;        ///< a polygon of the history; none: the one that shows
   int vertex_ = 0, channel_ = 0;
   BallTurn ball_;
-  std::optional<Predicted> hidden_;
-  int next_ = 0;  ///< of predictions_: the next one to ask
-  bool tried_ = false;
-  Score score_;
+  Quiz quiz_{host_, [this] { late_ = true; }};
   std::optional<PixelBefore> found_, kept_;  ///< when the pixel was chosen; by k
   bool late_ = true;
   // The state of the last drawing.
   Rect picture_{};
-  PixelPlaces places_;
+  std::vector<page::Pressed> pressed_;
   Rect around_{};                          ///< the neighbourhood
   int width_ = 1, height_ = 1, unit_ = 1;  ///< of the picture, in pixels
   int painted_ = 0, shown_ = -1;           ///< of the history
   int vertices_ = 0, channels_ = 1;
-  std::vector<Prediction> predictions_;
   std::optional<PixelBefore> now_;
   std::optional<int> cell_;
   std::optional<Setup> setup_;

@@ -10,6 +10,7 @@
 
 #include "geometry/exact/trig.h"
 #include "geometry/exact/unit.h"
+#include "x11/pixel/pixel_page.h"
 
 namespace xnewell {
 
@@ -139,6 +140,28 @@ void drawBall(Pen& pen, const Rect& area, const PixelStory& story, const Explana
   }
   arrow(at.N, "N", Cell::White);
   paint.disc(px, py, 2, pen(Cell::White));
+}
+
+void drawTerms(Pen& pen, const Rect& area, const std::array<double, 3>& terms) {
+  const Rect whole{area.x, area.y, area.width - 24, area.height};
+  Painter& paint = pen.paint;
+  paint.fillRect(whole, pen(Cell::Panel));
+  double from = 0;
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    const auto place = [&](double I) {
+      return whole.x + static_cast<int>(std::lround(std::min(1.0, I) * whole.width));
+    };
+    const Rect part{place(from), whole.y, place(from + terms[k]) - place(from), whole.height};
+    from += terms[k];
+    if (part.width <= 0) continue;
+    paint.fillRect(part, pen(std::array{Cell::Soft, Cell::Rule, Cell::White}[k]));
+    if (k > 0) paint.stipple(part, k == 1 ? Stipple::Quarter : Stipple::Diagonals, pen(Cell::Ink));
+  }
+  paint.frame(whole, pen(Cell::Faint));
+  if (from > 1.0)
+    paint.fillRect({whole.x + whole.width, whole.y,
+                    std::min(24, static_cast<int>((from - 1.0) * whole.width) + 1), whole.height},
+                   pen(Cell::Alarm));
 }
 
 void drawMap(Pen& pen, const Rect& area, const PixelStory& story, const Explanation& e, int channel) {

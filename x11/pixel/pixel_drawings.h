@@ -1,14 +1,17 @@
 #pragma once
 
+#include <array>
 #include <glm/mat3x3.hpp>
 
+#include "shading/explain/explain.h"
 #include "x11/drawing/pen.h"
-#include "x11/pixel/pixel_words.h"
 
 namespace xnewell {
 
-/// The drawings of view 8: the pixels around, the vectors of the equation on a ball, and the map of an
-/// environment.
+struct PixelStory;
+
+/// The drawings of view 8: the pixels around, the terms, the vectors of the equation on a ball, and the map
+/// of an environment.
 
 inline constexpr int kAround = 7;  ///< pixels on each side in the neighbourhood
 
@@ -31,6 +34,9 @@ struct BallTurn {
 /// Where the cells hold single colours, the ball has only an outline.
 void drawBall(Pen& pen, const Rect& area, const PixelStory& story, const Explanation& e,
               const ExplainedEquation& at, int channel, const BallTurn& turn);
+
+/// A bar of length 1: ambient light dark, diffuse dotted, specular hatched; what exceeds 1 is red.
+void drawTerms(Pen& pen, const Rect& area, const std::array<double, 3>& terms);
 
 /// The map that an environment is looked up in, and the place that is looked up.
 void drawMap(Pen& pen, const Rect& area, const PixelStory& story, const Explanation& e, int channel);

@@ -1,29 +1,41 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
-#include "x11/drawing/pen.h"
+#include "shading/explain/explain.h"
+#include "shading/explain/pixel_history.h"
+#include "shading/picture/picture.h"
+#include "x11/kit/page.h"
 #include "x11/pixel/pixel_drawings.h"
-#include "x11/pixel/pixel_words.h"
-#include "x11/pixel/predict.h"
-#include "x11/window/layout.h"
 
 namespace xnewell {
 
-/// The page of view 8: the picture with its pixel, the neighbourhood, and the four links of the explanation.
+/// What there is to say about the sample of pixel (i, j) of a picture that is painted.
+struct PixelStory {
+  PixelStory(Picture picture, int i, int j);
 
-struct PixelLayout {
-  Rect picture, neighbourhood;
-  int facts = 0;     ///< the left edge of the words beside the neighbourhood
-  Rect column;       ///< of the explanation
-  int pitch = 16;    ///< from line to line
-  int rows = 5;      ///< of the history
-  int controls = 0;  ///< the baseline of the first row of controls
+  Picture picture;
+  int i, j;
+  PixelHistory history;
+  std::vector<Explanation> explained;  ///< of each of history.painted
+
+  /// What shows; null where no face does.
+  [[nodiscard]] const Explanation* shown() const {
+    return history.shown < 0 ? nullptr : &explained[static_cast<std::size_t>(history.shown)];
+  }
+  [[nodiscard]] int cell() const { return picture.image().row(j)[i]; }
+  /// True if the cells hold single colours, so there is no shade to explain.
+  [[nodiscard]] bool inColors() const { return channelsOf(picture.colors().plan()) == Channels::Rgb; }
+  /// True if the chain ends in the picture's cell. Where the cells hold single colours, that is the one that
+  /// quantize.h gives the wanted colour at this place.
+  [[nodiscard]] bool isExplained() const;
+  /// One word: ground, shaded, clamped or wrong face.
+  [[nodiscard]] std::string_view verdict() const;
 };
-[[nodiscard]] PixelLayout layoutOfPixel(const Layout& at);
 
 /// A pixel and its numbers from before the last change, for comparison.
 struct PixelBefore {
@@ -31,30 +43,28 @@ struct PixelBefore {
   int cell = 0;
   bool operator==(const PixelBefore&) const = default;
 };
+/// "0.8449"; where the cells hold colours, the intensity of each channel.
+[[nodiscard]] std::string intensityWords(const PixelStory& story, const Explanation& e);
 
-struct PixelPage {
-  const PixelStory& story;
-  int chosen = 0;   ///< index into history.painted: the polygon that is explained
-  int vertex = 0;   ///< Gouraud: index into Explanation::vertices of the equation that is shown
-  int channel = 0;  ///< of several
+/// What a window shows of a pixel. A text has all vertices and channels.
+struct PixelSight {
+  int chosen = -1;  ///< index into history.painted: the polygon that is explained; -1: what shows
+  std::optional<int> vertex = {}, channel = {};
   std::optional<PixelBefore> before = {};
   BallTurn ball = {};
-  std::optional<Predicted> asked = {};  ///< this value is hidden, and all that follows from it
-  const Palette& palette;
+  const Palette* palette = nullptr;
   int shownBits = 0;  ///< as VisualInfo::shownBits(); 0 without a server
 };
+/// What can be pressed.
+inline constexpr int kPressHistory = 1, kPressBall = 2, kPressAround = 3;
 
-/// Where the parts are that the pointer can press.
-struct PixelPlaces {
-  std::vector<std::pair<Rect, int>> history;  ///< a row, and its index into history.painted
-  Rect ball{};                                ///< of no height if there is none
-};
+namespace page {
 
-/// Draws the words and the neighbourhood. The picture is drawn first, by the caller.
-PixelPlaces drawPixelPage(Pen& pen, const PixelLayout& at, const PixelPage& page);
+/// The four links of a pixel, and all of it in JSON.
+[[nodiscard]] Page ofPixel(const std::shared_ptr<const PixelStory>& story, const PixelSight& sight = {});
+/// The pixels around and the facts beside them, for the place below the picture.
+[[nodiscard]] Page besidePixel(const std::shared_ptr<const PixelStory>& story, const PixelSight& sight);
 
-/// The rows of the history that have room: indices into history.painted, -1 for a gap. The chosen one is
-/// among them.
-[[nodiscard]] std::vector<int> shownRows(int count, int chosen, int room);
+}  // namespace page
 
 }  // namespace xnewell

@@ -222,7 +222,8 @@ void ScanlineBench::predict() {
                tell("Right: cell ");
                return {};
              },
-             .dropped = [tell] { tell("The next cell is "); }});
+             .dropped = [tell] { tell("The next cell is "); },
+             .ofPicture = true});
 }
 
 void ScanlineBench::walk(int direction) {

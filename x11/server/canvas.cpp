@@ -53,6 +53,7 @@ Canvas::Canvas(Display* display, const ServerColormap& colormap, const Settings&
   OwnedWindow made{display, createWindow(display, colormap, settings)};
   trap.check();
   window_ = std::move(made);
+  tellsItsEnd(window());
   tellWindowManager(display, window(), settings);
   netName_ = XInternAtom(display, "_NET_WM_NAME", 0);
   utf8_ = XInternAtom(display, "UTF8_STRING", 0);

@@ -9,15 +9,18 @@
 #include <cstdlib>
 #include <memory>
 
+#include "geometry/files/visible.h"
+
 namespace xnewell {
 
 namespace {
 
 ErrorTrap* innermost = nullptr;
 int strays = 0;
+Window ours = 0;
 int standardError = STDERR_FILENO;  ///< the stream for our own messages
 
-void tell(const std::string& what) { dprintf(standardError, "xnewell: %s\n", what.c_str()); }
+void tell(const std::string& what) { dprintf(standardError, "xnewell: %s\n", visible(what).c_str()); }
 
 /// The name of a request, such as "X_PutImage"; for an extension's request "MIT-SHM.3", or "request 130.3" if
 /// we must not ask the server for the extension's name.
@@ -100,6 +103,9 @@ int onError(Display* display, XErrorEvent* error) {
     if (!trap->first_) trap->first_ = *error;
     return 0;
   }
+  if (ours != 0 && error->resourceid == ours &&
+      (error->error_code == BadWindow || error->error_code == BadDrawable))
+    return 0;
   if (++strays <= kToldErrors) tell(describe(display, *error, /*mayAsk=*/false));
   return 0;
 }
@@ -119,6 +125,8 @@ OwnedDisplay openDisplay(const std::string& name) {
 }
 
 int strayErrors() { return strays; }
+
+void tellsItsEnd(Window window) { ours = window; }
 
 void nothingMoreIsNeeded() { allIsDone = true; }
 

@@ -24,6 +24,7 @@ using OwnedDisplay = std::unique_ptr<Display, DisplayCloser>;
 /// It also installs what this program does about errors that no ErrorTrap awaits:
 ///   - An X error is counted (see strayErrors()), and the program goes on. The first ten are printed with
 ///     their requests; no more, because a window may cause one in every frame.
+///     Requests to a window that is gone do not count: see tellsItsEnd().
 ///   - If the connection has ended, the program prints a message and ends at once with status 1. Xlib cannot
 ///     go on from there, so destructors do not run. The message says whether the server still runs: then
 ///     another program has ended the connection (XKillClient). SIGPIPE is ignored for this, so writing to a
@@ -35,6 +36,9 @@ using OwnedDisplay = std::unique_ptr<Display, DisplayCloser>;
 inline constexpr int kToldErrors = 10;
 /// The number of errors so far that no trap caught. If it is not 0 at the end, something shown may be wrong.
 [[nodiscard]] int strayErrors();
+
+/// This window has a DestroyNotify event, whose handler tells that it is gone.
+void tellsItsEnd(Window window);
 
 /// From now on a connection that ends is no failure: the program then ends with status 0 and says nothing.
 void nothingMoreIsNeeded();

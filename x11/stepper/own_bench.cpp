@@ -246,7 +246,9 @@ std::string SortBench::judgeCommand(const std::string& file) const {
 void SortBench::askToWrite() {
   host_.ask(fileQuestion(
       "write your order as", "order.jsonl",
-      [](const std::string& file) {
+      [this](const std::string& file) {
+        // The picture may be another one by now.
+        if (!view().own || own_->steps(*run()).empty()) return "Nothing is painted yet.";
         return file.ends_with(".jsonl") ? "" : "An order's name ends in .jsonl.";
       },
       [this](const std::string& file) {

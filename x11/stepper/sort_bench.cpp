@@ -124,12 +124,10 @@ KeyTable SortBench::ownKeys() {
   return table;
 }
 
+bool SortBench::waits(const Key& key) { return !run() && !tooLong_ && rowOf(ownKeys(), key) != nullptr; }
+
 bool SortBench::press(const Key& key) {
-  if (!run() && !tooLong_) {  // the key waits until the run is recorded
-    const bool own = rowOf(ownKeys(), key) != nullptr;
-    if (own) early_.push_back(key);
-    return own;
-  }
+  if (waits(key)) return true;  // no run could be recorded
   const KeyTable table = keys();
   player_.view.numbered = false;                           // the boxes have digits for one key only
   if (player_.view.own) player_.view.own->naming = false;  // and so have the tests
@@ -180,7 +178,6 @@ void SortBench::leave() {
   player_.run.reset();
   newell_.reset();
   tooLong_ = fullColor_ = false;
-  early_.clear();
   drawn_.reset();
 }
 
@@ -220,7 +217,6 @@ void SortBench::record(const Desk& desk) {
         part_ ? desk.picture.onlyWithin(part_->low, part_->high) : desk.picture, desk.plan[Cell::Well]);
   } catch (const TooLongRun&) {
     tooLong_ = true;
-    early_.clear();
     view.playing = false;
     view.own.reset();
     return;
@@ -235,7 +231,6 @@ void SortBench::record(const Desk& desk) {
     if (!anew) showOwn(before.P, before.Q, last);
     view.own->clicksQ = before.clicksQ;
     if (anew) host_.tell("The polygons have other places now, so your sort begins again.");
-    for (const Key& key : std::exchange(early_, {})) static_cast<void>(press(key));
     return;
   }
   const bool asking = view.asking && same;
@@ -246,11 +241,10 @@ void SortBench::record(const Desk& desk) {
                             : likeBefore());
   view.asking = view.asking && asking;
   view.answer = answer;
-  for (const Key& key : std::exchange(early_, {})) static_cast<void>(press(key));
 }
 
 int SortBench::likeBefore() {
-  if (!about_) return 0;
+  if (!about_ || view().step == 0) return 0;  // the user may have gone to the start since
   // The same picture at another size usually has the same run.
   if (view().step <= run()->steps() && run()->about(view().step) == *about_) return view().step;
   const std::optional<int> step = run()->stepAbout(*about_);

@@ -22,6 +22,8 @@ class SortBench : public Bench {
   [[nodiscard]] Controls controls() override;
   [[nodiscard]] KeyTable ownKeys() override;
   [[nodiscard]] bool press(const Key& key) override;
+  /// The view's own keys need a run.
+  [[nodiscard]] bool waits(const Key& key) override;
   [[nodiscard]] bool grab(int x, int y) override;
   void enter() override;
   void leave() override;
@@ -105,7 +107,6 @@ class SortBench : public Bench {
   OwnSort::Reply endReply_;  ///< what is told at the end of the student's run
   std::string judges_;       ///< the command that judges the file written last; "" if there is none
   std::uint8_t ground_ = 0;
-  std::vector<Key> early_;  ///< keys typed before there was a run
   // The state of the last drawing.
   bool tooLong_ = false;
   bool fullColor_ = false;  ///< the scene's own plan is of colours: it is shown in one hue

@@ -8,6 +8,7 @@
 namespace xnewell {
 
 void SortPlayer::goTo(int step) {
+  if (!run) return;  // a question may outlast it
   view.step = std::clamp(step, 0, run->steps());
   view.answer.reset();
   view.asking = view.predict && !view.own && view.step > 0 && isQuestion(run->sorted().events[view.step - 1]);
@@ -66,6 +67,7 @@ void SortPlayer::askPolygon() {
   prompt_.ask({.asks = "go to the next step with face number",
                .text = view.polygon ? std::to_string(*view.polygon) : "",
                .take = [this](const std::string& text) -> std::string {
+                 if (!run) return "There is no run.";
                  // A piece, 12a or 12.1, counts as its face.
                  const std::optional<int> number =
                      wholeNumber(text.substr(0, text.find_first_not_of("0123456789")));

@@ -10,7 +10,7 @@
 namespace xnewell {
 
 /// Goes along a recorded run: by steps, by kinds of step, by polygons, or by itself. It asks the learner what
-/// follows, and keeps the score. While there is no run, only `view` may be used.
+/// follows, and keeps the score. While there is no run, only `view` and goTo() may be used.
 class SortPlayer {
  public:
   /// The prompt must outlive it.

@@ -4,6 +4,7 @@
 
 #include <iostream>
 #include <string>
+#include <tuple>
 
 namespace xnewell {
 
@@ -16,7 +17,7 @@ class Doing {
   Doing(const Doing&) = delete;
   Doing& operator=(const Doing&) = delete;
   ~Doing() {
-    if (told_) std::cerr << "\r\033[K" << std::flush;  // go back to the start of the line and clear it
+    if (told_) std::ignore = ::write(STDERR_FILENO, "\r\033[K", 4);  // go to the line's start and clear it
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "shading/picture/picture_cache.h"
@@ -17,20 +18,26 @@ constexpr double kBetweenNews = 150;  // ms
 }  // namespace
 
 Measuring::Measuring(Scene scene, const PictureSettings& settings, TradeRequest request,
-                     std::vector<std::string> without)
-    : thread_{[this, scene = Shared<Scene>{std::move(scene)}, settings, request = std::move(request),
-               without = std::move(without)]() mutable {
-        try {
-          request.axes = choosableAxes(PictureCache{scene}.make(settings));
-          std::erase_if(request.axes, [&](const std::string& axis) {
-            return std::ranges::find(without, axis) != without.end();
-          });
-          if (request.axes.empty()) throw std::runtime_error{"every short cut is chosen already"};
-          publish({measured(scene, settings, request), "", true, ""});
-        } catch (const std::exception& e) {
-          publish({{}, "", true, e.what()});
-        }
-      }} {}
+                     std::vector<std::string> without) {
+  auto measure = [this, scene = Shared<Scene>{std::move(scene)}, settings, request = std::move(request),
+                        without = std::move(without)]() mutable {
+    try {
+      request.axes = choosableAxes(PictureCache{scene}.make(settings));
+      std::erase_if(request.axes, [&](const std::string& axis) {
+        return std::ranges::find(without, axis) != without.end();
+      });
+      if (request.axes.empty()) throw std::runtime_error{"every short cut is chosen already"};
+      publish({measured(scene, settings, request), "", true, ""});
+    } catch (const std::exception& e) {
+      publish({{}, "", true, e.what()});
+    }
+  };
+  try {
+    thread_ = std::thread{std::move(measure)};
+  } catch (const std::system_error& e) {
+    publish({{}, "", true, "the system refuses a thread: " + e.code().message()});
+  }
+}
 
 Trade Measuring::measured(const Shared<Scene>& scene, const PictureSettings& settings,
                           const TradeRequest& request) {
@@ -47,7 +54,7 @@ Trade Measuring::measured(const Shared<Scene>& scene, const PictureSettings& set
 
 Measuring::~Measuring() {
   stop_ = true;
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 void Measuring::publish(News news) {

@@ -291,7 +291,9 @@ void drawMatrixAndLight(Pen& pen, const ViewingLayout& at, const ViewingPage& pa
   section(pen, x, baseline - (at.narrow ? 29 : 35), width,
           "matrix " + std::to_string(static_cast<int>(stage) + 1), letters);
   int y = drawMatrix(pen, at, page, baseline + (at.narrow ? 17 : 22));
-  y = section(pen, x, y - (at.narrow ? 7 : 6), width, "shading", "N and L at the true angle") -
+  const bool lit = rowOf(page.view.picture.settings().shading).lit;
+  y = section(pen, x, y - (at.narrow ? 7 : 6), width, "shading",
+              lit ? "N and L at the true angle" : "the picture itself uses no light") -
       (at.narrow ? 11 : 8);
   const int half = (width - 16) / 2;
   drawAngle(pen, {x, y, half, at.box}, story, ViewStage::World);

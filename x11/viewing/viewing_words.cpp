@@ -204,12 +204,4 @@ ViewingFinding findingOf(const ViewingStory& story, ViewStage stage) {
   return finding;
 }
 
-std::string fitted(double value, int decimals, int most) {
-  if (!std::isfinite(value)) return "-";
-  for (int d = decimals; d >= 0; --d)
-    if (std::string text = fixed(value, d); static_cast<int>(text.size()) <= most) return text;
-  int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
-  return fixed(value / std::pow(10.0, exponent), 0) + "e" + std::to_string(exponent);
-}
-
 }  // namespace xnewell

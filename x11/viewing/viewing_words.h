@@ -65,8 +65,4 @@ struct ViewingFinding {
 };
 [[nodiscard]] ViewingFinding findingOf(const ViewingStory& story, ViewStage stage);
 
-/// A number with this many decimals, or with fewer where it would be longer than `most` characters; in powers
-/// of ten if even that does not fit, and "-" if it is not finite.
-[[nodiscard]] std::string fitted(double value, int decimals, int most);
-
 }  // namespace xnewell

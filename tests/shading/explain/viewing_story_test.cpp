@@ -164,6 +164,26 @@ TEST(ViewingStory, AmbientLightKnowsNoAngles) {
   }
 }
 
+// A method that uses no light has the same story: the light on the vertex is that of flat shading.
+TEST(ViewingStory, EveryMethodHasTheLightOfTheWorld) {
+  PictureCache pictures{readScene("hues")};
+  PictureSettings s = pictures.scene().settings;
+  s.width = s.height = 64;
+  s.colors = ColorPlan::Chosen;
+  for (const ShadingRow& method : kShadings) {
+    SCOPED_TRACE(method.name);
+    s.shading = Shading::Flat;
+    const ViewingStory flat{pictures.make(s), {0, 0}};
+    s.shading = method.id;
+    const ViewingStory story{pictures.make(s), {0, 0}};
+    EXPECT_GT(flat.world().I, 0.0);
+    for (const ViewStageRow& row : kViewStages) {
+      EXPECT_EQ(story.of(row.id).NdotL, flat.of(row.id).NdotL) << row.name;
+      EXPECT_EQ(story.of(row.id).I, flat.of(row.id).I) << row.name;
+    }
+  }
+}
+
 // Corners are named by face and corner, from 1, or by the vertex; what the mesh does not have is refused.
 TEST(ViewingStory, ReadsTheNamesOfVertices) {
   const Scene scene = readScene("cubes");

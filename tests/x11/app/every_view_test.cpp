@@ -87,6 +87,21 @@ TEST(EveryView, EveryKeyAnswers) {
     }
 }
 
+// Every view draws every method, in ramps and in colours.
+TEST(EveryView, DrawsEveryMethod) {
+  for (const ShadingRow& method : kShadings)
+    for (const ColorPlan plan : {ColorPlan::Needed, ColorPlan::Cube}) {
+      xnewell::Setup setup;
+      setup.picture.shading = method.id, setup.picture.colors = plan;
+      ReadyWorkbench b{setup, 800, 540, "cycle"};
+      for (const WindowViewRow& row : kWindowViews) {
+        SCOPED_TRACE(nameOf(row) + ' ' + std::string{method.name});
+        b.does(row.key);
+        EXPECT_FALSE(b.bench().status().empty());
+      }
+    }
+}
+
 // The manual's tables of keys are those that the window acts by. To write them anew: xnewell keys
 // >x11/KEYS.md
 TEST(EveryView, TheManualListsTheKeys) {

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/ready_workbench.h"
@@ -74,6 +76,25 @@ TEST(SavedSetup, OpensAsTheSameWindow) {
     EXPECT_EQ(b.setup(), saved);
     b.press({NamedKey::Escape});
   }
+
+  // A scene of its own objects is no set-up. It would be lost.
+  const std::string own = R"({"objects": [{"solid": "cube"}]})", scene = folder.write("scene.json", own);
+  b.type("e");
+  b.type(scene);
+  b.press({NamedKey::Return});
+  b.update();
+  EXPECT_EQ(b.picture().scene().name, scene);
+  b.type("w");
+  for (int k = 0; k < 200; ++k) b.press({NamedKey::Backspace});
+  b.type(scene);
+  b.press({NamedKey::Return});
+  b.press({NamedKey::Return});
+  b.update();
+  EXPECT_TRUE(b.complains());
+  EXPECT_TRUE(b.isAsking());
+  std::ifstream kept{scene};
+  EXPECT_EQ((std::string{std::istreambuf_iterator<char>{kept}, {}}), own);
+  b.press({NamedKey::Escape});
 
   // Up and down offer the built-in scenes.
   b.type("e");

@@ -79,6 +79,20 @@ TEST_P(WindowAt, EndsAsAsked) {
   }
 }
 
+// Another program may destroy the window while pictures are on their way to it. One line says so.
+TEST_P(WindowAt, IsDestroyedInOneLine) {
+  for (int k = 0; k < 5; ++k) {
+    WatchedViewer viewer{server, kTeapot};
+    viewer.window.moveTo(300, 300);
+    viewer.window.type("ttt");
+    XDestroyWindow(viewer.window.display(), viewer.window.id());
+    XSync(viewer.window.display(), 0);
+    const Finished end = viewer.program.wait(std::chrono::seconds{90});
+    EXPECT_EQ(end.status, 1);
+    EXPECT_EQ(end.err, "xnewell: the window was destroyed by another program\n");
+  }
+}
+
 // A program that `nohup` has started outlives its terminal.
 TEST_P(WindowAt, IgnoresAHangupThatWasIgnored) {
   const auto before = std::signal(SIGHUP, SIG_IGN);  // the program inherits it

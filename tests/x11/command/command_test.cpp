@@ -99,6 +99,36 @@ TEST_F(CommandTest, NoServerIsStatus1) {
   EXPECT_EQ(runProgram({"scenes"}).status, 0);
 }
 
+// A name may hold what commands a terminal. It is shown, and no command writes a control character but the
+// ends of its lines.
+TEST_F(CommandTest, NoForeignTextCommandsATerminal) {
+  const std::string odd = "\x1b]0;x\x07\r\u009b2J",
+                    scene = write("a\x1b[2J.json",
+                                  Json{{"objects", {{{"solid", "cube"}, {"name", odd}, {"material", odd}}}},
+                                       {"materials", {{odd, {{"color", {1, 0, 0}}}}}}}
+                                      .dump());
+  write("order.jsonl", "{\"face\": 0}\n");
+  int shown = 0;
+  for (const Strings& words : {Strings{"explain", scene, "400,300"},
+                               {"explain", scene, "--viewing"},
+                               {"trace", scene},
+                               {"trace", scene, "--scanline", "0"},
+                               {"questions", scene},
+                               {"extremes", scene, "--size", "8x6"},
+                               {"trade", scene, "--size", "8x6", "--budget", "1", "--axes", "order"},
+                               {"judge", scene, file("order.jsonl")},
+                               {"draw", scene, "-o", file("a.png"), "--accuracy", "0.5", "--budget", "1"},
+                               {"draw", file("none\x1b[2J.json"), "-o", file("a.png")}}) {
+    const Finished end = runProgram(words);
+    const std::string all = end.out + end.err;
+    EXPECT_GT(all.size(), 10u) << words[0];
+    for (const char c : all) EXPECT_TRUE(c == '\n' || (c >= ' ' && c != 0x7F) || c < 0) << words[0] << int{c};
+    EXPECT_EQ(all.find("\u009b"), std::string::npos) << words[0];
+    shown += all.find("\\x1b") != std::string::npos;
+  }
+  EXPECT_GE(shown, 5);
+}
+
 // The status is 1 if the output has nowhere to go, 1 if its place refuses it, and 0 if the output is
 // swallowed.
 TEST_F(CommandTest, OutputsThatCannotBeWritten) {
@@ -124,7 +154,6 @@ TEST_F(CommandTest, PictureAndFacesAreWrittenTogether) {
     refused(to(good, "/dev/full"), 1, "/dev/full: No space left on device");
     refused(to(file("no/such/a.png"), good), 1, file("no/such/a.png") + ": No such file or directory");
     refused(to("/dev/full", good), 1, "/dev/full: No space left on device");
-    refused(to(good, good), 2, "-o and --ids name the same file");
   }
 }
 

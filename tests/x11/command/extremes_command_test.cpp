@@ -71,6 +71,17 @@ TEST_F(CommandTest, ExtremesCanBeInterrupted) {
   EXPECT_EQ(child.wait().status, 130);
 }
 
+// If the system refuses threads, one thread does all.
+TEST_F(CommandTest, ExtremesNeedNoThread) {
+  const Strings words{"extremes", "cycle", "--size", "8x6"};
+  ::setenv("XNEWELL_HINDER", "alone", 1);
+  RunningProgram alone{builtProgram("tests/xnewell_hindered"), words, ""};
+  ::unsetenv("XNEWELL_HINDER");
+  const Finished end = alone.wait();
+  EXPECT_EQ(end.status, 0) << end.err;
+  EXPECT_EQ(end.out, runProgram(words).out);
+}
+
 // A chart that cannot be written is an error before anything is measured: the size would take hours.
 TEST_F(CommandTest, ExtremesCheckTheirOutputFirst) {
   const Strings words{"extremes", "teapot", "--size", "8192x8192", "-o"};

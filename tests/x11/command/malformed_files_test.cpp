@@ -20,4 +20,30 @@ TEST_F(CommandTest, MalformedFilesAreRefused) {
   }
 }
 
+// Lists in lists without end are refused wherever JSON is read, with the line. A class with such files is
+// marked all the same.
+TEST_F(CommandTest, DeepNestingIsRefused) {
+  constexpr int kDeep = 60'000;
+  const std::string open(kDeep, '['), lists = "{\"objects\":\n" + open;
+  std::filesystem::create_directory(file("class"));
+  ASSERT_EQ(runProgram({"draw", "bench", "--size", "160x120", "-o", file("class/a.png")}).status, 0);
+  int k = 0;
+  for (const std::string& text : {lists, lists + std::string(kDeep, ']') + "}"}) {
+    const std::string deep = write("deep.json", text),
+                      said = deep + ":2: lists and objects are nested more than 100 deep";
+    refused({"draw", deep, "-o", file("new.png")}, 2, said);
+    refused({"lesson", deep, "--frames", file("frames")}, 2, said);
+    refused({"lecture", deep}, 2, said);
+    std::ofstream{file("class/" + std::to_string(++k) + ".json")} << text;
+    std::string line = text;
+    line.erase(line.find('\n'), 1);
+    std::ofstream{file("class/" + std::to_string(k) + ".jsonl")} << line;
+    const std::string order = write("order.jsonl", "\n" + line);
+    refused({"judge", "bench", order}, 2, order + ":2: lists and objects are nested more than 100 deep");
+  }
+  const auto marks = runProgram({"grade", "bench", file("class"), "-o", file("marks.csv")});
+  EXPECT_EQ(marks.status, 0) << marks.err;
+  EXPECT_TRUE(marks.out.starts_with("5 files: 4 unreadable, 1 right\n")) << marks.out;
+}
+
 }  // namespace xnewell::THIS_FILE

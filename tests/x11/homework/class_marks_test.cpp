@@ -60,7 +60,9 @@ TEST(ClassMarks, HaveARowForEachFile) {
   EXPECT_EQ(rows[4].words.substr(0, 10), "unreadable");
   EXPECT_EQ(rows[5].mistakes, "missing");
   EXPECT_EQ(rows[6].words, "unreadable: diagnose takes pictures of up to 4096 x 4096 pixels");
-  for (int k = 7; k < 10; ++k) EXPECT_EQ(rows[k].words, "unreadable: " + names[k] + ": not a file");
+  EXPECT_EQ(rows[7].words, "unreadable: hans.png: Is a directory");
+  EXPECT_EQ(rows[8].words, "unreadable: ida.png: No such file or directory");
+  EXPECT_EQ(rows[9].words, "unreadable: jana.jsonl: not a regular file");
 
   const std::string csv = marksAsCsv(rows);
   EXPECT_TRUE(csv.starts_with("file,verdict,mistakes,term,explained,informative,pixel,face,answers,words\n"));
@@ -128,6 +130,18 @@ TEST(ClassMarks, CountKeptAnswers) {
   EXPECT_TRUE(summaryOf(rows).ends_with("answers: 1 of 2 right at the first try\n")) << summaryOf(rows);
 }
 
+// Two files have two names, in any language and encoding.
+TEST(ClassMarks, KeepNamesApart) {
+  const std::vector<MarkedFile> rows{{.file = "\u00c9mile.ppm"}, {.file = "\u00d6mile.ppm"},
+                                     {.file = "\xc9mile.ppm"},   {.file = "\xd6mile.ppm"},
+                                     {.file = "\x1bmile.ppm"},   {.file = "\nmile.ppm"}};
+  const std::string csv = marksAsCsv(rows), page = marksAsHtml("", rows);
+  for (const char* begin : {"\u00c9", "\u00d6", "\xc9", "\xd6", "\\x1b", "\\n"}) {
+    EXPECT_NE(csv.find('\n' + std::string{begin} + "mile.ppm,"), std::string::npos) << begin;
+    EXPECT_NE(page.find("<td>" + std::string{begin} + "mile.ppm</td>"), std::string::npos) << begin;
+  }
+}
+
 // What stands in names and files cannot become part of the page's own elements.
 TEST(ClassMarks, PageKeepsNamesInTheirPlace) {
   const std::vector<MarkedFile> rows{
@@ -135,7 +149,7 @@ TEST(ClassMarks, PageKeepsNamesInTheirPlace) {
   const std::string page = marksAsHtml("a & b", rows);
   EXPECT_EQ(page.find("<script>"), std::string::npos);
   EXPECT_NE(page.find("&lt;script&gt;alert(1)&lt;/script&gt;.png"), std::string::npos);
-  EXPECT_NE(page.find("??&quot;&lt;b&gt;"), std::string::npos);
+  EXPECT_NE(page.find("\\x01\xFF&quot;&lt;b&gt;"), std::string::npos);
   EXPECT_NE(page.find("<title>a &amp; b</title>"), std::string::npos);
   EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
 }

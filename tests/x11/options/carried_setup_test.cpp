@@ -6,6 +6,7 @@
 #include "shading/color/png.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/parsed_options.h"
+#include "x11/options/shell_words.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -156,9 +157,6 @@ TEST(CarriedSetup, RefusesWhatWeDoNotWrite) {
     const std::string file = picture(folder, note);
     EXPECT_EQ(complaintAbout(file), file + ": " + complaint) << note;
   }
-  const std::string file = picture(folder, "xnewell draw teapot" + end);
-  EXPECT_EQ(complaintAll({"draw", file, "-o", file}),
-            file + ": -o and --ids must not name the picture that carries the set-up: it would be lost");
 }
 
 // A scene's file is found from the picture's folder, beside the picture although its folder has changed, and
@@ -174,6 +172,8 @@ TEST(CarriedSetup, FindsTheScenesFile) {
   EXPECT_EQ(scene("sub/it.obj"), below);
   EXPECT_EQ(scene(below), below);
   EXPECT_EQ(scene("'it'\\''s one.obj'"), quoted);
+  const std::string odd = "it's\n\t\x1b[2J\\\xc3\xa9.obj";
+  EXPECT_EQ(scene(xnewell::quoted(odd)), folder.write(odd, ""));
   const std::string beside = folder.write("it.obj", "");
   EXPECT_EQ(scene("sub/it.obj"), below);
   EXPECT_EQ(scene("elsewhere/it.obj"), beside);

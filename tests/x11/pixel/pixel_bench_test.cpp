@@ -125,23 +125,6 @@ TEST(PixelBench, AHueIsStated) {
   EXPECT_EQ(b.image(), blue) << "as if it were drawn for the first time";
 }
 
-// The rows of a long history: the first, a gap, and the chosen one.
-TEST(PixelPage, RowsOfALongHistory) {
-  EXPECT_EQ(shownRows(3, 2, 5), (std::vector{0, 1, 2}));
-  EXPECT_EQ(shownRows(9, 3, 5), (std::vector{0, 1, 2, 3, -1}));
-  EXPECT_EQ(shownRows(9, 8, 5), (std::vector{0, -1, 6, 7, 8}));
-  EXPECT_EQ(shownRows(9, 5, 5), (std::vector{0, -1, 4, 5, 6}));
-  for (int count = 1; count < 30; ++count)
-    for (int chosen = 0; chosen < count; ++chosen)
-      for (const int room : {3, 5}) {
-        std::vector<int> rows = shownRows(count, chosen, room);
-        EXPECT_LE(static_cast<int>(rows.size()), room);
-        EXPECT_TRUE(std::ranges::find(rows, chosen) != rows.end()) << count << ' ' << chosen;
-        rows.erase(std::remove(rows.begin(), rows.end(), -1), rows.end());
-        EXPECT_TRUE(std::ranges::is_sorted(rows));
-      }
-}
-
 // h goes back through the polygons that were painted at the pixel, and from the first to the last: also in a
 // lecture, whose pages PgUp and PgDn turn.
 TEST(PixelBench, HGoesThroughTheHistory) {
@@ -159,6 +142,44 @@ TEST(PixelBench, HGoesThroughTheHistory) {
   EXPECT_EQ(explained(), last);
 }
 
+// A question for a number of the page ends when the page has another pixel, and when the pixel is moved. The
+// pixel is one of the teapot at the first size and one of the background at the second.
+TEST(PixelBench, AQuestionEndsWithItsPage) {
+  const PixelWindow first, second{"teapot", 800, 600};
+  const glm::ivec2 size{first.picture().settings().width, first.picture().settings().height};
+  const int width = second.picture().settings().width, height = second.picture().settings().height;
+  const auto faces = first.picture().faceImage(), then = second.picture().faceImage();
+  glm::ivec2 edge{0};
+  for (int k = 0; k < size.x * size.y; ++k) {
+    const glm::ivec2 p{k % size.x, k / size.x};
+    const int i = static_cast<int>((p.x + 0.5) / size.x * width),
+              j = static_cast<int>((p.y + 0.5) / size.y * height);
+    if (faces[k] != 0 && then[j * width + i] == 0) edge = p;
+  }
+  for (const bool drags : {false, true}) {
+    PixelWindow b;
+    b.press('g');
+    b.type(std::to_string(edge.x) + ',' + std::to_string(edge.y));
+    b.does(NamedKey::Return);
+    b.does('y');
+    ASSERT_TRUE(b.isAsking());
+    EXPECT_FALSE(b.bench().inspected()) << "hidden";
+    if (drags) {
+      const Rect at = b.bench().picture(b.layout());
+      ASSERT_TRUE(b.grab(at.x + 5, at.y + 5));
+      b.press('y');
+      b.dragTo(at.x + 6, at.y + 5);
+      b.settle();
+    } else {
+      b.resize(800, 600);
+    }
+    b.finish();
+    EXPECT_FALSE(b.isAsking());
+    b.does(NamedKey::Escape);
+    EXPECT_TRUE(b.bench().inspected());
+  }
+}
+
 // In a lesson 8 explains a pixel of the lesson's scene, and 7 goes back.
 TEST(PixelBench, ExplainsInALesson) {
   ReadyWorkbench b;
@@ -173,6 +194,23 @@ TEST(PixelBench, ExplainsInALesson) {
   b.press('7');
   b.finish();
   EXPECT_EQ(b.view(), WindowView::Lesson);
+}
+
+// The pixel is that of the step that the keys go to, however quickly they are pressed.
+TEST(PixelBench, ExplainsAStepThatIsNotDrawnYet) {
+  std::vector<std::string> said;
+  for (const bool waits : {true, false}) {
+    ReadyWorkbench b;
+    b.teach(readLesson(XNEWELL_DATA_DIR "/lessons/cycles.json"));
+    for (const Key& key : {Key{NamedKey::PageDown}, Key{NamedKey::PageDown}, Key{'8'}}) {
+      if (waits) b.finish();
+      b.press(key);
+    }
+    EXPECT_EQ(b.view(), WindowView::Pixel);
+    b.finish();
+    said.push_back(b.bench().status());
+  }
+  EXPECT_EQ(said.front(), said.back());
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -1,8 +1,7 @@
-#include "x11/pixel/predict.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "shading/picture/picture_cache.h"
 #include "tests/x11/support/bench_stage.h"
@@ -23,9 +22,9 @@ Picture made(Shading method, const char* scene = "teapot") {
   return pictures.make(s, 8);
 }
 
-std::vector<Prediction> predictionsAt(const PixelStory& story) {
-  const Explanation& e = *story.shown();
-  return predictionsOf(story, e, equationShown(e, 0), 0);
+std::vector<page::Question> questionsAt(const Picture& picture) {
+  return page::ofPixel(std::make_shared<const PixelStory>(picture, 45, 45), {.vertex = 0, .channel = 0})
+      .questions;
 }
 
 /// View 8 of a window, with the line that the student types on.
@@ -64,43 +63,41 @@ struct Asked : BenchStage {
 // A typed number is right within half of its last digit. One decimal is too few, and more than the page shows
 // do not count. Terms may be typed as they are written, though they are rounded to add up.
 TEST(Predict, RightIsWithinHalfOfTheLastDigit) {
-  const Prediction cosine{Predicted::NdotL, "N.L", 0.89476, 0.89476};
+  const page::Question cosine{1, "N.L", 0.89476, 0.89476};
   for (const char* const right : {"0.89", "0.895", "0.8948", "0.89481", ".89", " +0.895 "})
-    EXPECT_TRUE(judged(cosine, right).isRight) << right;
+    EXPECT_TRUE(cosine.judged(right).isRight) << right;
   for (const char* const wrong : {"0.88", "0.90", "0.894", "0.8946", "-0.89"}) {
-    EXPECT_FALSE(judged(cosine, wrong).isRight) << wrong;
-    EXPECT_EQ(judged(cosine, wrong).complaint, "") << wrong;
+    EXPECT_FALSE(cosine.judged(wrong).isRight) << wrong;
+    EXPECT_EQ(cosine.judged(wrong).complaint, "") << wrong;
   }
   for (const char* const few : {"0.9", "1", "1."})
-    EXPECT_EQ(judged(cosine, few).complaint, "Type at least two decimals.") << few;
+    EXPECT_EQ(cosine.judged(few).complaint, "Type at least two decimals.") << few;
   for (const char* const none : {"", "x", "0.8x", "nan"})
-    EXPECT_EQ(judged(cosine, none).complaint, "Type a number.") << none;
-  const Prediction term{Predicted::Diffuse, "the diffuse term", 0.56374, 0.5638};
-  EXPECT_TRUE(judged(term, "0.5638").isRight);
-  EXPECT_TRUE(judged(term, "0.5637").isRight);
-  EXPECT_FALSE(judged(term, "0.5636").isRight);
-  const Prediction cell{Predicted::Cell, "the cell", 213, 213, 0};
-  EXPECT_TRUE(judged(cell, "213").isRight);
-  EXPECT_FALSE(judged(cell, "214").isRight);
+    EXPECT_EQ(cosine.judged(none).complaint, "Type a number.") << none;
+  const page::Question term{3, "the diffuse term", 0.56374, 0.5638};
+  EXPECT_TRUE(term.judged("0.5638").isRight);
+  EXPECT_TRUE(term.judged("0.5637").isRight);
+  EXPECT_FALSE(term.judged("0.5636").isRight);
+  const page::Question cell{6, "the cell", 213, 213, 0};
+  EXPECT_TRUE(cell.judged("213").isRight);
+  EXPECT_FALSE(cell.judged("214").isRight);
 }
 
 // What the page writes is right for each value that it asks, in the order of the chain. Without an equation
 // only the cell can be asked.
 TEST(Predict, ValuesAreThoseOfTheChain) {
   const Picture phong = made(Shading::Phong);
-  const PixelStory lit{phong, 45, 45};
-  const std::vector<Prediction> all = predictionsAt(lit);
+  const std::vector<page::Question> all = questionsAt(phong);
   ASSERT_EQ(all.size(), 6u);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    EXPECT_EQ(static_cast<std::size_t>(all[k].what), k);
-    EXPECT_TRUE(judged(all[k], fixed(all[k].written, all[k].decimals)).isRight) << all[k].name;
+    EXPECT_EQ(static_cast<std::size_t>(all[k].rank), k + 1);
+    EXPECT_TRUE(all[k].judged(fixed(all[k].written, all[k].decimals)).isRight) << all[k].name;
   }
-  EXPECT_EQ(all.back().value, lit.cell());
+  EXPECT_EQ(all.back().value, phong.image().row(45)[45]);
   EXPECT_NEAR(all[4].written, all[2].written + all[3].written + 0.18, 1e-9);
-  const Picture depth = made(Shading::Depth);
-  const PixelStory unlit{depth, 45, 45};
-  ASSERT_EQ(predictionsAt(unlit).size(), 1u);
-  EXPECT_EQ(predictionsAt(unlit).front().what, Predicted::Cell);
+  const std::vector<page::Question> unlit = questionsAt(made(Shading::Depth));
+  ASSERT_EQ(unlit.size(), 1u);
+  EXPECT_EQ(unlit.front().name, "the cell");
 }
 
 // y hides a number until it is typed: the words to copy and the mark in the strip are hidden too. The first
@@ -165,22 +162,27 @@ TEST(Predict, HidesWhatWasKept) {
 }
 
 // While a number is asked no other line gives it away: each value of the chain hides what follows from it.
-TEST(Predict, TheWrittenSumHidesWhatIsAsked) {
-  const Picture picture = made(Shading::Phong);
-  const PixelStory story{picture, 45, 45};
-  const ExplainedEquation& at = story.shown()->equations.front();
-  const std::string full = sumOf(at, 0);
-  const std::string put = numbersPutIn(*story.shown(), at, 0, Mistake::None).front(),
-                    NL = fixed(at.lights.front().NdotL, 4), RV = fixed(at.lights.front().counted, 4);
-  const auto blanked = [&](std::string text, const std::string& number) {
-    const std::size_t where = text.find(number);
-    return where == std::string::npos ? text + ": no " + number : text.replace(where, number.size(), "?");
-  };
-  EXPECT_EQ(numbersPutIn(*story.shown(), at, 0, Mistake::None, {.RV = true}).front(), blanked(put, RV));
-  EXPECT_EQ(numbersPutIn(*story.shown(), at, 0, Mistake::None, {true, true}).front(),
-            blanked(blanked(put, RV), NL));
-  EXPECT_EQ(sumOf(at, 0, true, 1), full.substr(0, full.find(" + ")) + " + ? + ? = ?");
-  EXPECT_EQ(sumOf(at, 0, true, 3), full.substr(0, full.rfind(" = ")) + " = ?");
+TEST(Predict, NoLineTellsWhatIsAsked) {
+  for (const Shading method : {Shading::Flat, Shading::Gouraud, Shading::Phong})
+    for (const char* scene : {"teapot", "spotlight"}) {
+      const auto story = std::make_shared<const PixelStory>(made(method, scene), 45, 45);
+      const page::Page page = page::ofPixel(story, {.vertex = 0, .channel = 0});
+      std::string all;
+      for (const std::string& line : page::asLines(page)) all += line + '\n';
+      for (const page::Question& asked : page.questions) {
+        std::string hidden;
+        for (const std::string& line : page::asLines(page, {asked.rank})) hidden += line + '\n';
+        const std::string value = fixed(asked.written, asked.decimals);
+        EXPECT_NE(all.find(value), std::string::npos) << asked.name;
+        EXPECT_NE(hidden.find('?'), std::string::npos) << asked.name;
+        // Vectors and weights may have the same digits, but no value beside a name or a sign.
+        for (const char* before : {"= ", "+ ", "N.L ", "R.V ", "I ", "cell "})
+          if (std::abs(asked.written) > 1e-3) {
+            EXPECT_EQ(hidden.find(before + value + '\n'), std::string::npos) << asked.name << '\n' << hidden;
+          }
+      }
+      EXPECT_EQ(all.find('?'), std::string::npos);
+    }
 }
 
 }  // namespace xnewell::THIS_FILE

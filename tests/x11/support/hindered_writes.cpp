@@ -1,3 +1,5 @@
+#include <dlfcn.h>
+#include <pthread.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -5,11 +7,12 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <thread>
 
 // Linked before the C library, for the tests of files that are written. $XNEWELL_HINDER says what happens to
 // regular files other than standard streams: `full`, the disk has room for 100 bytes in each; `late`, it says
 // only at fsync() that it is full; or the number of a signal, which comes when a file is half written and
-// again when it is whole and not yet renamed.
+// again when it is whole and not yet renamed. With `alone`, the system refuses threads.
 
 namespace {
 
@@ -30,7 +33,21 @@ void interrupt() {
   if (const int signal = std::atoi(hindrance())) ::kill(::getpid(), signal);
 }
 
+/// A thread that takes signals, like one that measures.
+[[gnu::constructor]] void begin() {
+  if (*hindrance() != '\0' && *hindrance() != 'a')
+    std::thread{[] {
+      for (;;) ::pause();
+    }}.detach();
+}
+
 }  // namespace
+
+extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* how, void* (*work)(void*), void* of) {
+  if (*hindrance() == 'a') return EAGAIN;
+  static auto* const real = reinterpret_cast<decltype(&pthread_create)>(::dlsym(RTLD_NEXT, "pthread_create"));
+  return real(thread, how, work, of);
+}
 
 extern "C" ssize_t write(int descriptor, const void* bytes, std::size_t size) {
   const auto put = [&](std::size_t n) -> ssize_t { return ::syscall(SYS_write, descriptor, bytes, n); };

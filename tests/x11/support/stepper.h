@@ -45,7 +45,10 @@ class Stepper : private Host {
     } while (bench.painted(wanted) != painted);
     return image_;
   }
-  void press(const Key& key) { taken = bench.press(key); }
+  void press(const Key& key) {
+    if (bench.waits(key)) draw();
+    taken = bench.press(key);
+  }
   void press(std::string_view letters) {
     for (const char c : letters) press({NamedKey::Letter, c});
   }

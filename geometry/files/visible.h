@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace xnewell {
+
+/// A text from elsewhere as it may be shown: no file and no name commands a terminal or begins a line. A
+/// control character, of ASCII or of Latin-1, becomes \n, \t or, byte by byte, \x1b. All other bytes stay,
+/// also those that are no UTF-8: a file's name is bytes.
+[[nodiscard]] std::string visible(std::string_view text);
+
+/// The first `most` bytes of a text in UTF-8, without a part of a character at the end.
+[[nodiscard]] std::string_view beginOf(std::string_view text, std::size_t most);
+
+}  // namespace xnewell

@@ -1,0 +1,101 @@
+#include "x11/pixel/pixel_page.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "shading/picture/picture_cache.h"
+#include "x11/pixel/pixel_bench.h"
+
+namespace xnewell::THIS_FILE {
+
+// Where the cells hold colours, each chain ends in the cell that the picture has: the nearest colour, or with
+// dithering the colour of this place among the two that share its block.
+TEST(PixelPage, ChainsEndInTheCellsOfColors) {
+  for (const char* name : {"colored-lights", "textured-cube"}) {
+    PictureCache pictures{readScene(name)};
+    PictureSettings settings = pictures.scene().settings;
+    settings.camera = pictures.scene().camera;
+    settings.width = 64, settings.height = 48;
+    for (const ColorPlan plan : {ColorPlan::Cube, ColorPlan::Chosen})
+      for (const bool dither : {false, true}) {
+        SCOPED_TRACE(std::string{name} + (plan == ColorPlan::Cube ? ", cube" : "") +
+                     (dither ? ", dithered" : ""));
+        settings.colors = plan, settings.dither = dither;
+        const Picture picture = pictures.make(settings, 0);
+        int shown = 0;
+        for (int j = 0; j < settings.height; j += 5)
+          for (int i = j % 3; i < settings.width; i += 3) {
+            const PixelStory story{picture, i, j};
+            shown += story.shown() != nullptr;
+            EXPECT_TRUE(story.isExplained()) << i << ',' << j;
+          }
+        EXPECT_GT(shown, 30);
+      }
+  }
+}
+
+// The upper bits of a stored value are the value divided by a power of two, rounded down.
+TEST(PixelPage, AScreenShowsTheHighBits) {
+  PictureCache pictures{readScene("two-cards")};
+  PictureSettings settings = pictures.scene().settings;
+  settings.width = 64, settings.height = 48;
+  const auto story = std::make_shared<const PixelStory>(pictures.make(settings, 0), 32, 24);
+  ASSERT_TRUE(story->shown());
+  Palette palette{};
+  const auto said = [&](Rgb16 stored, int bits) {
+    palette.fill(stored);
+    return page::asText(page::ofPixel(story, {.channel = 0, .palette = &palette, .shownBits = bits}));
+  };
+  EXPECT_NE(said({52685, 255, 256}, 8).find("this screen shows the upper 8 bits: 205, 0, 1\n"),
+            std::string::npos);
+  EXPECT_NE(said({65535, 2047, 2048}, 5).find("the upper 5 bits: 31, 0, 1\n"), std::string::npos);
+  EXPECT_NE(said({52685, 255, 256}, 16).find("all 16 bits: 52685, 255, 256\n"), std::string::npos);
+}
+
+// What must be there in each window has room, for all methods, textures, colours and lights: the history,
+// the formula with its numbers and its sum, and the chain's end. A larger window leaves nothing out that a
+// smaller one has.
+TEST(PixelPage, SaysWhatMattersInEverySize) {
+  for (const char* scene : {"teapot", "colored-lights", "textured-cube", "spotlight", "shingles"})
+    for (const Shading method : {Shading::Full, Shading::Depth, Shading::Flat, Shading::Gouraud,
+                                 Shading::Phong, Shading::Environment}) {
+      PictureCache pictures{readScene(scene, 4)};
+      PictureSettings settings = pictures.scene().settings;
+      settings.width = 80, settings.height = 60, settings.shading = method;
+      if (scene == std::string{"shingles"}) settings.order = Order::ZMean;
+      const auto story = std::make_shared<const PixelStory>(pictures.make(settings, 8), 40, 34);
+      if (!story->shown()) continue;
+      std::size_t last = 99;
+      for (const auto& [width, height, unit] :
+           {std::tuple{800, 540, 1}, {1600, 1080, 2}, {1024, 768, 1}, {1920, 1080, 1}}) {
+        SCOPED_TRACE(std::string{scene} + ' ' + std::string{rowOf(method).name} + ' ' +
+                     std::to_string(width) + " / " + std::to_string(unit));
+        const Layout at = layoutOf(width, height, unit);
+        IndexImage image{width, height, 0};
+        const CellPlan plan{TableKind::Linear};
+        Pen pen{Painter{image, unit}, plan};
+        std::vector<std::string> leftOut;
+        const auto pressed =
+            page::draw(pen, page::ofPixel(story, {.chosen = story->history.shown, .vertex = 0, .channel = 0}),
+                       frameOf(at).column, page::pitchOf(at.body), {}, &leftOut);
+        EXPECT_TRUE(
+            std::ranges::any_of(pressed, [](const page::Pressed& p) { return p.id == kPressHistory; }));
+        for (const std::string& words : leftOut)
+          for (const char* must :
+               {"I = ", "= 0.", "picks shade", "the chain", "hidden everywhere", "each channel is",
+                "interpolated to", "The map holds", "No light is computed"})
+            EXPECT_FALSE(words.starts_with(must) || words.find(": I = ") != std::string::npos ||
+                         words.find("the chain") != std::string::npos)
+                << words;
+        EXPECT_LE(leftOut.size(), last);
+        last = leftOut.size();
+        if (height == 1080 && unit == 1) {
+          EXPECT_TRUE(std::ranges::none_of(
+              leftOut, [](const std::string& w) { return w == "a sketch" || w == "a table"; }));
+        }
+      }
+    }
+}
+
+}  // namespace xnewell::THIS_FILE

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "x11/kit/page.h"
+#include "x11/kit/prompt.h"
+#include "x11/kit/score.h"
+
+namespace xnewell {
+
+/// Asks for the values of a page, one after the other. The one that is asked is hidden, with all that follow
+/// from it, until the student has typed it or given up; those after it stay hidden, so that they can be
+/// asked. What may be asked is always that of the page as it is now: the page may change while a line is
+/// open.
+class Quiz {
+ public:
+  /// `changed` is called when something is hidden or shown.
+  Quiz(Prompt& host, std::function<void()> changed) : host_{host}, changed_{std::move(changed)} {}
+
+  void setQuestions(std::vector<page::Question> now) { now_ = std::move(now); }
+  /// Asks the next one. `none` is the notice if there is none.
+  void ask(const char* none);
+  /// Hides nothing; the next one to ask stays, or is the first again.
+  void showAll() { hiding_ = {}, changed_(); }
+  void startAgain() { next_ = 0, showAll(); }
+  [[nodiscard]] page::Hiding hiding() const { return hiding_; }
+  [[nodiscard]] bool isHiding() const { return hiding_.from > 0; }
+
+ private:
+  /// Shows the value, and says what it is.
+  void tell(const page::Question& asked, const std::string& before);
+
+  Prompt& host_;
+  std::function<void()> changed_;
+  std::vector<page::Question> now_;
+  page::Hiding hiding_;
+  std::size_t next_ = 0;
+  bool tried_ = false;
+  Score score_;
+};
+
+}  // namespace xnewell

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <iterator>
+#include <ostream>
+#include <streambuf>
+#include <string>
+#include <string_view>
+
+#include "geometry/files/visible.h"
+
+namespace xnewell {
+
+/// Shows what is written to a stream, for as long as the object lives: of all control characters only the end
+/// of a line passes (visible.h).
+class VisibleStream : std::streambuf {
+ public:
+  explicit VisibleStream(std::ostream& stream) : stream_{stream}, to_{stream.rdbuf(this)} {}
+  VisibleStream(const VisibleStream&) = delete;
+  VisibleStream& operator=(const VisibleStream&) = delete;
+  ~VisibleStream() override { stream_.rdbuf(to_); }
+
+ private:
+  std::streamsize xsputn(const char* text, std::streamsize size) override {
+    for (std::string_view rest{text, static_cast<std::size_t>(size)}; !rest.empty();) {
+      const std::string_view line = rest.substr(0, rest.find('\n'));
+      const bool ends = line.size() < rest.size();
+      const std::string shown = visible(line) + (ends ? "\n" : "");
+      if (to_->sputn(shown.data(), std::ssize(shown)) != std::ssize(shown)) return 0;
+      rest.remove_prefix(line.size() + (ends ? 1 : 0));
+    }
+    return size;
+  }
+  int_type overflow(int_type c) override {
+    const char one = traits_type::to_char_type(c);
+    return xsputn(&one, 1) == 1 ? traits_type::not_eof(c) : traits_type::eof();
+  }
+  int sync() override { return to_->pubsync(); }
+
+  std::ostream& stream_;
+  std::streambuf* to_;
+};
+
+}  // namespace xnewell
