@@ -69,6 +69,7 @@ const KeyRow* rowOf(const KeyTable& table, const Key& key) {
 bool pressIn(const KeyTable& table, const Key& key, Prompt& prompt) {
   const KeyRow* const row = rowOf(table, key);
   if (!row) return false;
+  if (row->waits) return true;
   if (!row->off.empty())
     prompt.notify(row->off);
   else

@@ -22,14 +22,15 @@ struct KeyRow {
   std::function<void(const Key&)> act = {};  ///< gets the key that was pressed, with its Shift
   std::string off = {};                      ///< why the keys do nothing now, a sentence; "": they act
   std::string gesture = {};                  ///< "drag, wheel": what the pointer does to the same end
+  bool waits = false;  ///< they act on what the next drawing shows, so they do nothing before it
 };
 using KeyTable = std::vector<KeyRow>;
 
 /// The row of a key; null if the table has none.
 [[nodiscard]] const KeyRow* rowOf(const KeyTable& table, const Key& key);
 
-/// Does what the key's row says, or notifies the user why it does nothing now. Returns false if the table has
-/// no such key.
+/// Does what the key's row says, or notifies the user why it does nothing now. A row that waits does nothing.
+/// Returns false if the table has no such key.
 bool pressIn(const KeyTable& table, const Key& key, Prompt& prompt);
 
 /// Appends the rows of `more`. A key that `table` has already keeps its meaning: it is left out of the new

@@ -163,6 +163,7 @@ KeyTable LessonBench::ownKeys() {
       handing_ = true;  // view 8 keeps the lesson's scene, too
       host_.explain(pixel_.x, pixel_.y);
     });
+    table.back().waits = !drawn_;
     add('0', "fill", "fill the named face pixel by pixel in view 0", [this] {
       handing_ = true;
       const std::vector<NamedFace>& names = state_.exhibit.names;

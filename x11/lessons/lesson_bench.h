@@ -42,7 +42,6 @@ class LessonBench : public Bench {
 
   [[nodiscard]] Controls controls() override;
   [[nodiscard]] KeyTable ownKeys() override;
-  [[nodiscard]] bool waits(const Key& key) override { return key.letter == '8' && !listing_ && !drawn_; }
   /// Opens the step that the user left, or the list.
   void enter() override;
   void leave() override;

@@ -154,6 +154,7 @@ KeyTable PixelBench::ownKeys() {
   });
   add('y', "predict", "predict a number: it is hidden until you type it",
       [this] { quiz_.ask("No number of this pixel can be predicted."); });
+  table.back().waits = late(host_.setup());
   const auto next = [&](char key, const char* legend, int& which, const int& count, const char* none) {
     table.push_back({{key},
                      *none == 0 ? legend : "",

@@ -113,6 +113,7 @@ KeyTable ScanlineBench::ownKeys() {
   add('h', "", walks, "", [this] { walk(1); });  // also in a lecture, which has the other two
   add('y', "predict", "predict the cell of the next pixel",
       run_ && view_.step == run_->steps() ? "This is the end of the run." : "", [this] { predict(); });
+  table.back().waits = late(host_.setup());
   appendSpeedKeys(table, view_.speed);
   add(kCodeKey, "", kCodeDoes, "", [this] { view_.code = !view_.code; });
   add('8', "this pixel", "explain this pixel in view 8", "", [this] {

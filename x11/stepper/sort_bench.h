@@ -22,8 +22,6 @@ class SortBench : public Bench {
   [[nodiscard]] Controls controls() override;
   [[nodiscard]] KeyTable ownKeys() override;
   [[nodiscard]] bool press(const Key& key) override;
-  /// The view's own keys need a run.
-  [[nodiscard]] bool waits(const Key& key) override;
   [[nodiscard]] bool grab(int x, int y) override;
   void enter() override;
   void leave() override;

@@ -62,9 +62,12 @@ class Bench {
   }
   /// Handles a key. Returns false if it is not a key of this view.
   [[nodiscard]] virtual bool press(const Key& key) { return pressIn(keys(), key, host_); }
-  /// True if the key acts on what the next drawing shows, so that this must be made first; two drawings are
-  /// enough. `y` asks for a number of the page.
-  [[nodiscard]] virtual bool waits(const Key& key) { return key.letter == 'y' && late(host_.setup()); }
+  /// True if the key waits for the next drawing; two are enough.
+  [[nodiscard]] bool waits(const Key& key) {
+    const KeyTable own = ownKeys();
+    const KeyRow* const row = rowOf(own, key);
+    return row && row->waits;
+  }
   /// Where the controls were drawn last, and which one is selected.
   [[nodiscard]] const ControlList& list() const { return list_; }
   /// The selected control with its value, if the last drawing does not show it.
