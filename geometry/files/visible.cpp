@@ -6,8 +6,6 @@ namespace xnewell {
 
 namespace {
 
-bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
-
 unsigned byteAt(std::string_view text, std::size_t k) {
   return k < text.size() ? static_cast<unsigned char>(text[k]) : 0;
 }

@@ -10,6 +10,9 @@ namespace xnewell {
 /// also those that are no UTF-8: a file's name is bytes.
 [[nodiscard]] std::string visible(std::string_view text);
 
+/// True for a byte that begins no character of UTF-8.
+[[nodiscard]] constexpr bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
 /// The first `most` bytes of a text in UTF-8, without a part of a character at the end.
 [[nodiscard]] std::string_view beginOf(std::string_view text, std::size_t most);
 

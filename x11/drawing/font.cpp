@@ -1,5 +1,7 @@
 #include "x11/drawing/font.h"
 
+#include "geometry/files/visible.h"
+
 namespace xnewell {
 
 DoubledGlyph scale2x(const Glyph& glyph) {
@@ -28,7 +30,7 @@ std::string latin1(std::string_view utf8) {
   const auto byte = [&](std::size_t k) { return k < utf8.size() ? static_cast<unsigned char>(utf8[k]) : 0u; };
   for (std::size_t k = 0; k < utf8.size();) {
     const unsigned lead = byte(k++);
-    const auto follows = [&] { return (byte(k) & 0xC0) == 0x80; };
+    const auto follows = [&] { return continues(static_cast<char>(byte(k))); };
     unsigned code = lead;
     if ((lead == 0xC2 || lead == 0xC3) && follows()) {
       code = (lead & 3) << 6 | (byte(k++) & 0x3F);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "geometry/files/visible.h"
 #include "x11/drawing/font.h"
 #include "x11/drawing/line_pixels.h"
 
@@ -19,7 +20,6 @@ std::string beginningOf(std::string text, int width, Voice voice) {
   const auto letters = static_cast<std::size_t>(std::max(0, width) / kVoices[static_cast<int>(voice)].pitch);
   if (latin1(text).size() <= letters) return text;
   if (letters <= kDots) return "";
-  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
   std::size_t end = 0;
   for (std::size_t letter = 0; end < text.size(); ++end)
     if (!continues(text[end]) && ++letter > letters - kDots) break;

@@ -5,11 +5,12 @@
 #include <charconv>
 #include <cmath>
 
+#include "geometry/files/visible.h"
+
 namespace xnewell {
 
 std::vector<std::string> broken(std::string_view text, int most) {
   std::vector<std::string> lines;
-  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
   while (!text.empty()) {
     std::size_t end = 0, space = 0;
     for (int letters = 0; end < text.size(); ++end) {

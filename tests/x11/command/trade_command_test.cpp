@@ -80,14 +80,6 @@ TEST_F(CommandTest, ATradeRefusesWhatItDoesNotTake) {
           "-o " + file("new.svg") + ": pictures are PNG files; call it .png");
 }
 
-// A chart that cannot be written is an error before anything is measured.
-TEST_F(CommandTest, ATradeChecksItsOutputFirst) {
-  const Strings words{"trade", "teapot", "--size", "8192x8192", "--budget", "3600", "-o"};
-  refused(words + Strings{file("none/chart.png")}, 1, file("none/chart.png") + ": No such file or directory");
-  std::filesystem::create_directory(file("folder.png"));
-  refused(words + Strings{file("folder.png")}, 1, file("folder.png") + ": Is a directory");
-}
-
 // After an interrupt there is a chart of what is known, or it is said that there is none.
 TEST_F(CommandTest, AnInterruptedTradeWritesItsChart) {
   const Strings words{"trade",    kSanitized ? "cubes" : "teapot",

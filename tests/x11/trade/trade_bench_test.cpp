@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <thread>
 
@@ -270,7 +272,8 @@ TEST(TradeBench, SavesChartAndTable) {
   EXPECT_NE(take(folder.file("none/trade.txt")), "");
   const std::string file = folder.file("trade.txt");
   EXPECT_EQ(take(file), "");
-  const std::string table = readTextFile(file);
+  std::ifstream saved{file};
+  const std::string table{std::istreambuf_iterator<char>{saved}, {}};
   for (const int k : m.bench.trade().front)
     EXPECT_NE(table.find("* " + m.bench.trade().combinations[k].configuration.name()), std::string::npos);
   EXPECT_NE(take(file), "");
