@@ -17,7 +17,7 @@
 #include "x11/server/fill_polygons.h"
 #include "x11/server/read_cells.h"
 #include "x11/server/read_visuals.h"
-#include "x11/viewing/viewing_words.h"
+#include "x11/viewing/viewing_page.h"
 #include "x11/views/views.h"
 
 namespace xnewell {

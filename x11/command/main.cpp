@@ -37,7 +37,6 @@
 #include "x11/command/tell_homework.h"
 #include "x11/command/tell_trade.h"
 #include "x11/command/trace.h"
-#include "x11/command/viewing_report.h"
 #include "x11/command/write_frames.h"
 #include "x11/command/write_lesson.h"
 #include "x11/command/write_worksheet.h"
@@ -52,7 +51,7 @@
 #include "x11/terminal/doing.h"
 #include "x11/terminal/memory.h"
 #include "x11/terminal/visible_stream.h"
-#include "x11/viewing/viewing_words.h"
+#include "x11/viewing/viewing_page.h"
 #include "x11/views/views.h"
 #include "x11/visual/x11_error.h"
 #include "x11/window/moot.h"
@@ -93,12 +92,12 @@ void explainPixel(const Options& options, Scene scene) {
   const Picture picture = makePicture(std::move(scene), settings, CellPlan{settings.table.kind}[Cell::Well]);
   drawing.reset();
   noteEmpty(std::cerr, picture);
-  if (options.gave("--viewing")) {
-    const FaceCorner vertex = vertexOf(picture, options.window.vertex.value_or(""));
-    return (options.json ? printViewingAsJson : printViewing)(picture, vertex, std::cout);
-  }
   const page::Page page =
-      page::ofPixel(std::make_shared<const PixelStory>(picture, options.pixel->x, options.pixel->y));
+      options.gave("--viewing")
+          ? page::ofViewing({std::make_shared<const ViewingStory>(
+                                 picture, vertexOf(picture, options.window.vertex.value_or(""))),
+                             picture})
+          : page::ofPixel(std::make_shared<const PixelStory>(picture, options.pixel->x, options.pixel->y));
   std::cout << (options.json ? page::asJson(page) : page::asText(page));
 }
 

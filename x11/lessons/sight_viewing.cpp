@@ -2,6 +2,7 @@
 #include <string>
 
 #include "x11/lessons/sight_pen.h"
+#include "x11/viewing/outside_view.h"
 #include "x11/viewing/viewing_page.h"
 
 namespace xnewell {

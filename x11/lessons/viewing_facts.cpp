@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "x11/viewing/lit_parts.h"
-#include "x11/viewing/viewing_words.h"
+#include "x11/viewing/viewing_page.h"
 
 namespace xnewell {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "geometry/exact/unit.h"
-#include "x11/viewing/viewing_words.h"
+#include "x11/viewing/viewing_page.h"
 
 namespace xnewell {
 

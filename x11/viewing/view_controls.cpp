@@ -13,7 +13,7 @@
 #include "geometry/exact/trig.h"
 #include "geometry/exact/unit.h"
 #include "shading/scene/units.h"
-#include "x11/viewing/viewing_words.h"
+#include "x11/viewing/viewing_page.h"
 
 namespace xnewell {
 

@@ -24,6 +24,26 @@ ControlId controlOf(ViewHandle handle) { return {0, kHandleParts + static_cast<i
 
 }  // namespace
 
+ViewingLayout layoutOfViewing(const Layout& at) {
+  ViewingLayout layout;
+  const Rect& body = at.body;
+  const int left = at.controls.x - kMargin - body.x;
+  layout.narrow = left < 600;
+  layout.pitch = at.low ? 13 : at.compact ? 14 : 16;
+  layout.rowPitch = at.low ? 17 : at.compact ? 18 : 22;
+  layout.column = {at.controls.x, body.y, kControls, body.height};
+  constexpr int kGap = 16, kStages = static_cast<int>(kViewStages.size());
+  const int width = (left - (kStages - 1) * kGap) / kStages;
+  const int height = std::min(width * 3 / 4, body.height / 9), name = at.low ? 14 : 18;
+  const int table = 17 * layout.pitch / 2 + 16, gap = at.low ? 6 : 14;
+  layout.outside = {body.x, body.y, left, body.height - table - gap - height - name - gap};
+  const int y = layout.outside.y + layout.outside.height + gap;
+  for (int k = 0; k < kStages; ++k)
+    layout.small[static_cast<std::size_t>(k)] = {body.x + k * (width + kGap), y, width, height};
+  layout.table = {body.x, y + height + name + gap - (at.low ? 4 : 6), left, table};
+  return layout;
+}
+
 void ViewingBench::begin(int stage, const std::string& vertex) {
   choose(std::max(0, stage - 1));
   asked_ = vertex;
@@ -86,7 +106,7 @@ Controls ViewingBench::controls() {
                    matrix_ = static_cast<ShownMatrix>(static_cast<int>(option));
                    late_ = true;
                  }};
-  for (const ShownMatrixRow& row : kShownMatrices) matrix.options.emplace_back(row.name);
+  for (const std::string_view name : kShownMatrices) matrix.options.emplace_back(name);
   all.push_back(std::move(matrix));
   addParts(all);
   addHandles(all);
@@ -225,13 +245,12 @@ void ViewingBench::pick(int x, int y) {
   late_ = true;
 }
 
-void ViewingBench::placeControls(const Controls& all, const ViewingLayout& at, int baseline) {
+int ViewingBench::placeControls(const Controls& all, const ViewingLayout& at) {
   list_.forgetPlaces();
   const RowStyle style{.width = at.column.width, .pitch = at.rowPitch};
   int y = at.column.y + (at.narrow ? 24 : 33);
-  for (const char key : {'P', 'O', 'a', 'v', 'n', 'y', 'p', 'o', 'f', 'b'})
+  for (const char key : {'P', 'O', 'a', 'v', 'n', 'y', 'p', 'o', 'f', 'b', 'M'})
     y = list_.placeRow(all, key, at.column.x, y, style);
-  (void)list_.placeRow(all, 'M', at.column.x, baseline, style);
   for (const HandleAt& handle : handles_) {
     const int left = outside_.x + static_cast<int>(std::lround(handle.at.x / unit_));
     const int top = outside_.y + static_cast<int>(std::lround(handle.at.y / unit_));
@@ -245,6 +264,7 @@ void ViewingBench::placeControls(const Controls& all, const ViewingLayout& at, i
     list_.place({0, 1}, {.area = area, .grip = area, .bare = true, .passive = true});
   for (const Rect& area : rows_)
     list_.place({0, 2}, {.area = area, .grip = area, .bare = true, .passive = true});
+  return y - at.rowPitch + 10;
 }
 
 void ViewingBench::draw(Painter paint, const Desk& desk) {
@@ -263,7 +283,7 @@ void ViewingBench::draw(Painter paint, const Desk& desk) {
                   vertex_->corner >= static_cast<int>(mesh.face(vertex_->face).size())))
     vertex_.reset();
   if (!vertex_) vertex_ = middleCorner(picture);
-  story_.emplace(picture, *vertex_);
+  story_ = std::make_shared<const ViewingStory>(picture, *vertex_);
   if (!lit_ || lit_->picture.settings() != picture.settings() || &lit_->picture.scene() != &picture.scene() ||
       lit_->palette != desk.palette)
     lit_.emplace(
@@ -315,21 +335,24 @@ void ViewingBench::draw(Painter paint, const Desk& desk) {
       pen.ink(x, y, name);
     }
   }
-  const ViewingPage page{.view = view, .matrix = matrix_};
-  rows_ = drawStageTable(pen, at, page);
+  const page::OfViewing of{story_, picture};
+  const page::Page stages = page::stagesOf(of, stage_), light = page::matrixAndLight(of, stage_, matrix_);
+  for (const page::Pressed& row : page::draw(pen, stages, at.table, at.pitch))
+    rows_[static_cast<std::size_t>(row.row)] = row.area;
   pen.caps(at.column.x, at.column.y + 10, "view");
-  const int matrix = matrixRow(at, at.column.y + (at.narrow ? 24 : 33) + 10 * at.rowPitch);
-  placeControls(all, at, matrix);
-  drawMatrixAndLight(pen, at, page, matrix);
+  const int top = placeControls(all, at);
+  (void)page::draw(pen, light, {at.column.x, top, at.column.width, at.column.y + at.column.height - top},
+                   at.pitch);
   list_.draw(pen, all);
 
   cell_ = story_->world().cell;
-  words_ = xnewell::inWords(page);
+  words_ = {stageTitle(*story_, stage_)};
+  for (const page::Page* one : {&stages, &light})
+    for (std::string& line : page::asLines(*one)) words_.push_back(std::move(line));
   const Control* const pointed = list_.hovered(all) ? list_.hovered(all) : list_.focused(all);
-  const ViewingFinding finding = findingOf(*story_, stage_);
   status_ = pointed && !pointed->is.empty() ? pointed->is
             : empty                         ? std::string{kNothingShows}
-                                            : finding.heading;
+                                            : findingOf(*story_, stage_).bold;
   aside_ = "vertex " + textOf(*vertex_) + " of " + partOf(picture.scene(), *vertex_);
 }
 

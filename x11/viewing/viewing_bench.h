@@ -4,10 +4,23 @@
 #include <optional>
 #include <string>
 
+#include "x11/viewing/outside_view.h"
 #include "x11/viewing/viewing_page.h"
 #include "x11/window/bench.h"
 
 namespace xnewell {
+
+/// Where the parts of view 9 are.
+struct ViewingLayout {
+  Rect outside;
+  std::array<Rect, kViewStages.size()> small;
+  Rect table;
+  Rect column;        ///< of the controls and what is below them
+  int pitch = 16;     ///< from line to line
+  int rowPitch = 22;  ///< from control to control
+  bool narrow = false;
+};
+[[nodiscard]] ViewingLayout layoutOfViewing(const Layout& at);
 
 /// View 9: what each stage of the viewing transformation does to the scene, to a vertex and to the light.
 class ViewingBench : public Bench {
@@ -52,7 +65,8 @@ class ViewingBench : public Bench {
   void dragHandle(ViewHandle handle, const glm::ivec2& pointer);
   /// "PRP n 12.00": the numbers of a handle.
   [[nodiscard]] static std::string nameOf(ViewHandle handle, const Controls& all);
-  void placeControls(const Controls& all, const ViewingLayout& at, int baseline);
+  /// Returns the y below the column's controls.
+  int placeControls(const Controls& all, const ViewingLayout& at);
 
   std::function<Subject()> subject_;
   ViewStage stage_ = ViewStage::World;
@@ -82,7 +96,7 @@ class ViewingBench : public Bench {
   Rect outside_{};
   std::array<Rect, kViewStages.size()> small_{}, rows_{};
   const StageImage* image_ = nullptr;  ///< one of images_
-  std::optional<ViewingStory> story_;
+  std::shared_ptr<const ViewingStory> story_;
   const Scene* scene_ = nullptr;  ///< whose vertex it is
   std::vector<HandleAt> handles_;
   std::optional<HandleDrag> drag_;

@@ -2,209 +2,142 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "x11/drawing/wording.h"
+#include "x11/options/options.h"
 
 namespace xnewell {
 
 namespace {
 
-/// Where the columns of the table end: in a table of 656 units, and in a narrow one of 432.
-struct Columns {
-  std::array<int, 4> place;
-  std::array<int, 3> N;
-  int NdotL, I;
+/// What a stage is called in a title and in a sentence; `parallel`: other words in a parallel projection.
+struct StageWords {
+  std::string_view title, deed, parallelTitle = {}, parallelDeed = {};
 };
-constexpr Columns kWide{{138, 206, 274, 320}, {393, 459, 525}, 571, 615};
-constexpr Columns kNarrow{{105, 153, 207, 245}, {282, 318, 354}, 393, 431};
+constexpr std::array<StageWords, kViewStages.size()> kStageWords{{
+    {"the scene as it was built; light is computed here", "the world"},
+    {"VRP is the origin; u, v and n are the axes", "the turn"},
+    {"the eye is the origin, the pyramid stands upright", "the shear",
+     "the volume stands upright, projectors run along z", "the shear"},
+    {"near things grow, and the pyramid becomes a box", "the warp",
+     "no warp here, the volume is scaled to a box of one size", "the scaling"},
+    {"what lies in front, behind or far outside is cut off", "the clipping"},
+    {"pixels; x runs right, y down, z towards you", "the viewport"},
+    {"each vertex goes to a grid of 1/65,536 pixel", "the viewport"},
+}};
 
+bool isParallel(const ViewingStory& story) {
+  return story.stages.letters(ViewStage::Sheared) == rowOf(ViewStage::Sheared).parallel;
+}
+std::string deedOf(const ViewingStory& story, ViewStage stage) {
+  const StageWords& words = kStageWords[static_cast<std::size_t>(stage)];
+  return std::string{isParallel(story) && !words.parallelDeed.empty() ? words.parallelDeed : words.deed};
+}
 std::string nameWithNumber(ViewStage stage) {
   return std::to_string(static_cast<int>(stage) + 1) + ' ' + std::string{rowOf(stage).name};
 }
-
-/// A section's hairline with its name and a softer text at the right. Returns the next baseline.
-int section(Pen& pen, int x, int y, int width, std::string_view name, std::string_view aside) {
-  pen.rule(x, y, width);
-  const int end = pen.caps(x, y + 14, name);
-  pen.softRight(x + width, y + 14, beginningOf(std::string{aside}, x + width - end - 12));
-  return y + 30;
-}
-
-class StageTable {
- public:
-  StageTable(Pen& pen, const ViewingLayout& at, const ViewingPage& page)
-      : pen_{pen}, at_{at}, story_{page.view.story}, page_{page} {}
-
-  std::array<Rect, kViewStages.size()> draw() {
-    const ViewingStory& s = story_;
-    const std::string face = "face " + std::to_string(s.vertex.face);
-    const std::string part = partOf(page_.view.picture.scene(), s.vertex);
-    const std::string which =
-        (part == face ? face : face + ", " + part) + ", corner " + std::to_string(s.vertex.corner + 1);
-    int y = section(pen_, at_.table.x, at_.table.y, at_.table.width, "a vertex and its plane",
-                    at_.narrow ? which : which + "; click another, or press g");
-    if (at_.narrow) y -= 2;
-    for (const auto& [edge, name] : {std::pair{columns().place[0], "x"},
-                                     {columns().place[1], "y"},
-                                     {columns().place[2], "z"},
-                                     {columns().place[3], "w"},
-                                     {columns().N[0], "Nx"},
-                                     {columns().N[1], "Ny"},
-                                     {columns().N[2], "Nz"},
-                                     {columns().NdotL, "N.L"},
-                                     {columns().I, "I"}})
-      pen_.softRight(column(edge), y, name);
-    pen_.soft(at_.table.x, y, "stage");
-    if (!at_.narrow && s.world().cell) pen_.soft(column(columns().I) + 17, y, "cell");
-    std::array<Rect, kViewStages.size()> rows{};
-    for (const ViewStageRow& row : kViewStages) {
-      y += at_.pitch;
-      const Rect place{at_.table.x - 4, y - 11, at_.table.width + 8, at_.pitch - 1};
-      rows[static_cast<std::size_t>(row.id)] = place;
-      if (row.id == page_.view.stage) pen_.paint.fillRect(place, pen_(Cell::White));
-      drawRow(row.id, y);
-    }
-    return rows;
-  }
-
- private:
-  [[nodiscard]] const Columns& columns() const { return at_.narrow ? kNarrow : kWide; }
-  [[nodiscard]] int column(int edge) const {
-    return at_.table.x + edge * std::min(at_.table.width, 960) / (at_.narrow ? 432 : 656);
-  }
-
-  void drawRow(ViewStage stage, int y) {
-    const Voice voice = stage == page_.view.stage ? Voice::Bold : Voice::Plain;
-    pen_.paint.text(at_.table.x, y, at_.narrow ? std::string{rowOf(stage).name} : nameWithNumber(stage),
-                    pen_(Cell::Ink), voice);
-    const int words = at_.table.x + (at_.narrow ? 62 : 104), room = at_.table.x + at_.table.width - words;
-    if (stage == ViewStage::Clipped) {
-      const bool whole = story_.cut == 0 && !story_.faceGone;
-      pen_.paint.text(words, y, beginningOf(clippedWords(story_), room),
-                      pen_(whole ? Cell::Soft : Cell::Ink));
-      return;
-    }
-    const VertexAtStage& here = story_.of(stage);
-    if (stage == ViewStage::Snapped && !story_.snapped) {
-      pen_.soft(words, y, beginningOf(snappedWords(story_), room));
-      return;
-    }
-    glm::dvec4 p = shownAt(story_, stage, lengthUnit(page_.view.picture.scene()));
-    if (stage == ViewStage::Snapped) {
-      const glm::dvec3 steps{*story_.snapped};
-      p = {steps / double{kGrid}, 1.0};
-      p.z = std::ldexp(p.z, story_.zShift);
-    }
-    const int decimals = at_.narrow ? 3 : 4;
-    const int numbers = stage == ViewStage::Snapped ? 3 : 4;
-    for (int k = 0; k < numbers; ++k) {
-      const bool one = k == 3 && p[k] == 1.0;
-      pen_.paint.textRight(column(columns().place[static_cast<std::size_t>(k)]), y,
-                           one ? "1"
-                               : fitted(p[k], decimals,
-                                        k == 3       ? (at_.narrow ? 5 : 7)
-                                        : at_.narrow ? 7
-                                                     : 10),
-                           pen_(Cell::Ink), voice);
-    }
-    if (stage == ViewStage::Snapped) {
-      pen_.soft(column(columns().place[2]) + 16, y,
-                beginningOf(
-                    at_.narrow ? "whole steps of 1/65,536 pixel" : "whole steps; plane " + planeWords(story_),
-                    at_.table.x + at_.table.width - column(columns().place[2]) - 16));
-      return;
-    }
-    for (int k = 0; k < 3; ++k)
-      pen_.paint.textRight(column(columns().N[static_cast<std::size_t>(k)]), y,
-                           fixed(here.N[k], at_.narrow ? 2 : 4), pen_(Cell::Ink), voice);
-    pen_.paint.textRight(column(columns().NdotL), y, here.NdotL ? fixed(*here.NdotL, decimals) : "-",
-                         pen_(story_.differsInNdotL(stage) ? Cell::Alarm : Cell::Ink), Voice::Bold);
-    pen_.paint.textRight(column(columns().I), y, fixed(here.I, decimals),
-                         pen_(story_.differsInI(stage) ? Cell::Alarm : Cell::Ink), Voice::Bold);
-    if (at_.narrow || !here.cell) return;
-    const Rect swatch{column(columns().I) + 19, y - 9, 22, 10};
-    pen_.paint.fillRect(swatch, static_cast<std::uint8_t>(*here.cell));
-    pen_.paint.frame(swatch, pen_(Cell::Ink));
-  }
-
-  Pen& pen_;
-  const ViewingLayout& at_;
-  const ViewingStory& story_;
-  const ViewingPage& page_;
-};
-
-/// Brackets around four numbers in a column.
-void bracket(Pen& pen, int x, int top, int bottom, bool opens) {
-  pen.paint.vline(x, top, bottom - top, pen(Cell::Soft));
-  for (const int y : {top, bottom - 1}) pen.paint.hline(opens ? x : x - 3, y, 4, pen(Cell::Soft));
-}
-
-void entry(Pen& pen, int right, int y, double v, bool bold) {
-  const bool plain = v == 0.0 || v == 1.0;
-  pen.paint.textRight(right, y, plain ? fixed(v, 0) : fitted(v, 3, 7), pen(plain ? Cell::Soft : Cell::Ink),
-                      bold && !plain ? Voice::Bold : Voice::Plain);
-}
-
-/// Lines in place of a matrix.
-std::vector<std::string> withoutMatrix(const ViewingStory& story, ViewStage stage) {
-  if (stage == ViewStage::Clipped)
-    return {"Clipping is no matrix. It cuts polygons at", "the front plane, at the back plane, and 8,192",
-            "pixels from the picture's corner. The sides", "of the window cut nothing: filling does that."};
-  if (!story.snapped) return {"Rounding is no matrix.", "This vertex is cut off before it."};
-  std::vector<std::string> lines{"Rounding is no matrix. In steps of the grid:"};
-  const glm::dvec4 p = story.of(ViewStage::Viewport).at;
-  for (int k = 0; k < 3; ++k) {
-    const double steps = p[k] * (k < 2 ? double{kGrid} : std::ldexp(double{kGrid}, -story.zShift));
-    lines.push_back(std::string{"xyz"[k]} + "  " + fitted(p[k], 4, 10) + " px = " + fitted(steps, 2, 14) +
-                    ", so " + grouped((*story.snapped)[k]));
-  }
-  return lines;
-}
-
-int drawMatrix(Pen& pen, const ViewingLayout& at, const ViewingPage& page, int y) {
-  const ViewStage stage = page.view.stage;
-  const ViewingStory& story = page.view.story;
-  const int x = at.column.x, lines = at.narrow ? 13 : 16;
-  const bool none =
-      (stage == ViewStage::Clipped || stage == ViewStage::Snapped) && page.matrix == ShownMatrix::ThisStage;
-  if (none) {
-    for (const std::string& line : withoutMatrix(story, stage)) pen.ink(x, y, line), y += lines;
-    return y;
-  }
-  const MatrixWithVertex m = matrixOf(story, stage, page.matrix, lengthUnit(page.view.picture.scene()));
-  const int top = y - 12, bottom = y + 3 * lines + 5;
-  const auto brackets = [&](int from, int to) {
-    bracket(pen, x + from, top, bottom, true), bracket(pen, x + to, top, bottom, false);
-  };
-  brackets(0, 200), brackets(205, 256), brackets(266, 319);
-  pen.soft(x + 258, y + 3 * lines / 2, "=");
-  for (int row = 0; row < 4; ++row, y += lines) {
-    for (int k = 0; k < 4; ++k) entry(pen, x + 50 + 49 * k - (k == 3 ? 1 : 0), y, m.matrix[k][row], true);
-    entry(pen, x + 253, y, m.from[row], false);
-    entry(pen, x + 316, y, m.to[row], true);
-  }
-  return y;
-}
-
-void drawFinding(Pen& pen, const Rect& box, const ViewingFinding& finding, int pitch) {
-  if (box.height < 2 * pitch) return;
-  pen.paint.fillRect(box, pen(Cell::White));
-  pen.paint.fillRect({box.x, box.y, 4, box.height}, pen(finding.keeps ? Cell::Good : Cell::Alarm));
-  int y = box.y + pitch - 2;
-  const int room = box.width - 18, end = box.y + box.height;
-  for (const std::string& line : broken(finding.heading, room / 6)) {
-    pen.bold(box.x + 12, y, line);
-    y += pitch;
-  }
-  std::vector<std::string> lines = broken(finding.why, room / 6);
-  for (std::size_t k = 0; k < lines.size() && y + 3 <= end; ++k, y += pitch) {
-    const bool last = y + pitch + 3 > end && k + 1 < lines.size();
-    pen.ink(box.x + 12, y, last ? beginningOf(lines[k] + ' ' + lines[k + 1], room) : lines[k]);
-  }
-}
+/// Up to the shear a stage has lengths; from the warp on, shares of the volume and then pixels.
+double unitAt(ViewStage stage, double unit) { return stage <= ViewStage::Sheared ? unit : 1.0; }
+glm::dvec4 inUnit(const glm::dvec4& p, double unit) { return {glm::dvec3{p} / unit, p.w}; }
+bool hasMatrix(ViewStage stage) { return stage != ViewStage::Clipped && stage != ViewStage::Snapped; }
+std::string three(double v) { return fixed(v, 3); }
 
 }  // namespace
+
+double lengthUnit(const Scene& scene) {
+  constexpr int kMostExponent = 20;
+  return std::abs(scene.exponent) > kMostExponent ? 1.0 : std::ldexp(1.0, -scene.exponent);
+}
+
+std::string lengthsInWords(const Scene& scene) {
+  return lengthUnit(scene) == std::ldexp(1.0, -scene.exponent)
+             ? ""
+             : "lengths are multiples of 2^" + std::to_string(scene.exponent) + " of the file's";
+}
+
+FaceCorner vertexOf(const Picture& picture, const std::string& text) {
+  if (text.empty()) return middleCorner(picture);
+  const Mesh& mesh = picture.scene().mesh;
+  if (const std::optional<FaceCorner> vertex = cornerOf(mesh, text)) return *vertex;
+  throw UsageError{"--viewing: the scene has no vertex " + text + ": it has " +
+                   grouped(static_cast<std::int64_t>(mesh.points.size())) + " vertices and " +
+                   counted(mesh.faceCount(), "face") + ", counted from 0, and corners from 1"};
+}
+
+std::string partOf(const Scene& scene, const FaceCorner& vertex) {
+  const std::string& group = scene.mesh.groupNames[scene.mesh.group[vertex.face]];
+  return group.empty() ? "face " + std::to_string(vertex.face) : group;
+}
+
+glm::dvec4 shownAt(const ViewingStory& story, ViewStage stage, double unit) {
+  return inUnit(story.of(stage).at, unitAt(stage, unit));
+}
+
+MatrixWithVertex matrixOf(const ViewingStory& story, ViewStage stage, ShownMatrix shown, double unit) {
+  const ViewStages& s = story.stages;
+  const bool toScreen = shown == ShownMatrix::ToTheScreen, all = shown == ShownMatrix::AllSoFar;
+  const auto before = static_cast<ViewStage>(std::max(0, static_cast<int>(stage) - 1));
+  const ViewStage from = toScreen ? stage : all ? ViewStage::World : before;
+  const double fromUnit = unitAt(from, unit), toUnit = unitAt(toScreen ? ViewStage::Viewport : stage, unit);
+  MatrixWithVertex m{.matrix = toScreen ? s.toScreen(stage)
+                               : all    ? s.soFar(stage)
+                                        : s.matrix(stage),
+                     .from = story.of(from).at};
+  m.to = m.matrix * m.from;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 3; ++row) m.matrix[column][row] /= toUnit;
+    if (column < 3) m.matrix[column] *= fromUnit;
+  }
+  m.from = inUnit(m.from, fromUnit), m.to = inUnit(m.to, toUnit);
+  return m;
+}
+
+std::string stageTitle(const ViewingStory& story, ViewStage stage) {
+  const StageWords& words = kStageWords[static_cast<std::size_t>(stage)];
+  return nameWithNumber(stage) + ": " +
+         std::string{isParallel(story) && !words.parallelTitle.empty() ? words.parallelTitle : words.title};
+}
+
+page::Finding findingOf(const ViewingStory& story, ViewStage stage) {
+  const VertexAtStage &here = story.of(stage), &world = story.world();
+  if (!world.NdotL && !world.equation.lights.empty())
+    return {"This face has no area.", "It has no plane and no N, so only ambient light reaches it. I is " +
+                                          three(world.I) + " at every stage, and no picture shows it."};
+  if (!world.NdotL)
+    return {"All light is ambient.",
+            "The equation asks for no N and no L, so I is " + three(world.I) + " at every stage."};
+  const std::string numbers = "N.L is " + three(*here.NdotL) + " and I is " + three(here.I);
+  if (stage == ViewStage::World)
+    return {"Light is computed here.", numbers +
+                                           ". N, L and V have their true angles. Each later stage shows "
+                                           "what the equation would have there."};
+  if (here.keepsAngles) {
+    if (stage == ViewStage::Vrc) return {"A turn keeps angles.", numbers + " as in the world."};
+    if (stage > ViewStage::Sheared)
+      return {"The same scale in x, y and z keeps angles.", numbers + " as in the world."};
+    return {"Nothing is sheared: angles stay.",
+            numbers + " as in the world. The window's middle is straight before the " +
+                (isParallel(story) ? "projectors." : "eye.")};
+  }
+  // The first stage that does not keep angles: from there on, light would be wrong.
+  int first = 1;
+  while (story.at[static_cast<std::size_t>(first)].keepsAngles) ++first;
+  const std::string deed = deedOf(story, static_cast<ViewStage>(first));
+  std::string why = first < static_cast<int>(stage) ? "From " + deed + " on, angles are not kept"
+                    : first == 2 ? "The shear leans each plane, and N with it; L goes along as a direction"
+                                 : "Up to here all angles stayed, but " + deed + " does not keep them";
+  if (!story.differsInNdotL(stage) && !story.differsInI(stage)) {
+    why += ": this plane's N.L is still " + three(*here.NdotL) + ", by chance or because it faces away.";
+  } else {
+    why += ": N.L " + three(*world.NdotL) + " becomes " + three(*here.NdotL) + ", and the equation gives " +
+           three(here.I) + " for " + three(world.I);
+    if (const int cells = here.cell.value_or(0) - world.cell.value_or(0); here.cell && world.cell)
+      why += cells == 0 ? ", here the same cell"
+                        : ": " + counted(std::abs(cells), "cell") + (cells > 0 ? " too bright" : " too dark");
+    why += ". So compute I in the world.";
+  }
+  return {"Shade in the world, not behind " + deed + ".", std::move(why), true};
+}
 
 void drawAngle(Pen& pen, const Rect& box, const ViewingStory& story, ViewStage stage, bool lit) {
   pen.paint.fillRect(box, pen(Cell::White));
@@ -235,15 +168,14 @@ void drawAngle(Pen& pen, const Rect& box, const ViewingStory& story, ViewStage s
                Voice::Bold);
   };
   if (here.N != glm::dvec3{0.0}) arrow(0.0, "N", Cell::Ink);
-  if (here.NdotL) {
-    const double angle = std::acos(std::clamp(*here.NdotL, -1.0, 1.0));
-    arrow(angle, "L", cell);
-    paint.textRight(right, y += pitch, fixed(angle * 57.29577951308232, 1) + "\u00B0", pen(Cell::Soft));
-  } else {
-    paint.textRight(right, y += pitch, here.equation.lights.empty() ? "no L" : "no N", pen(Cell::Soft));
-  }
+  const double angle = here.NdotL ? std::acos(std::clamp(*here.NdotL, -1.0, 1.0)) : 0.0;
+  if (here.NdotL) arrow(angle, "L", cell);
+  pen.softRight(right, y += pitch,
+                here.NdotL                     ? fixed(angle * 57.29577951308232, 1) + "\u00B0"
+                : here.equation.lights.empty() ? "no L"
+                                               : "no N");
   if (!lit) return;
-  paint.textRight(right, y += pitch, "I " + fixed(here.I, 3), pen(cell), Voice::Bold);
+  paint.textRight(right, y += pitch, "I " + three(here.I), pen(cell), Voice::Bold);
   if (!here.cell) return;
   paint.textRight(right - 26, y += pitch, std::to_string(*here.cell), pen(Cell::Soft));
   const Rect swatch{right - 22, y - 9, 22, 10};
@@ -251,84 +183,241 @@ void drawAngle(Pen& pen, const Rect& box, const ViewingStory& story, ViewStage s
   paint.frame(swatch, pen(Cell::Ink));
 }
 
-ViewingLayout layoutOfViewing(const Layout& at) {
-  ViewingLayout layout;
-  const Rect& body = at.body;
-  const int left = at.controls.x - kMargin - body.x;
-  layout.narrow = left < 600;
-  layout.pitch = at.low ? 13 : at.compact ? 14 : 16;
-  layout.rowPitch = at.low ? 17 : at.compact ? 18 : 22;
-  layout.box = at.low ? 62 : at.compact ? 70 : 84;
-  layout.column = {at.controls.x, body.y, kControls, body.height};
-  constexpr int kGap = 16;
-  const int stages = static_cast<int>(kViewStages.size());
-  const int width = (left - (stages - 1) * kGap) / stages;
-  const int height = std::min(width * 3 / 4, body.height / 9), name = at.low ? 14 : 18;
-  const int table = 30 + (stages + 1) * layout.pitch - 8, gap = at.low ? 6 : 14;
-  layout.outside = {body.x, body.y, left, body.height - table - gap - height - name - gap};
-  const int y = layout.outside.y + layout.outside.height + gap;
-  for (int k = 0; k < stages; ++k)
-    layout.small[static_cast<std::size_t>(k)] = {body.x + k * (width + kGap), y, width, height};
-  layout.table = {body.x, y + height + name + gap - (at.low ? 4 : 6), left, table};
-  return layout;
+namespace page {
+
+namespace {
+
+/// What clipping does to the vertex and its face.
+std::string clippedWords(const ViewingStory& story) {
+  if (story.faceGone) return "the whole face lies outside: nothing of it is left";
+  if (story.cut == 0) return "inside all six planes: nothing is cut, the numbers stay";
+  std::string names;
+  int count = 0;
+  for (int k = 0; k < 6; ++k)
+    if (story.cut >> k & 1u) names += (count++ > 0 ? ", " : "") + std::string{clipPlaneName(k)};
+  return std::to_string(count) + " of the six planes cut" + (count == 1 ? "s" : "") + " the face (" + names +
+         "): " + (story.outside == 0 ? "this vertex stays" : "this vertex is cut off");
 }
 
-std::array<Rect, kViewStages.size()> drawStageTable(Pen& pen, const ViewingLayout& at,
-                                                    const ViewingPage& page) {
-  return StageTable{pen, at, page}.draw();
+/// "18,344,551  24,581,568  23,474,405 steps of 1/65,536 pixel"
+std::string snappedWords(const ViewingStory& story) {
+  if (!story.snapped) return "this vertex is cut off, so it is not snapped";
+  const glm::ivec3 p = *story.snapped;
+  return grouped(p.x) + "  " + grouped(p.y) + "  " + grouped(p.z) + " steps of 1/65,536 pixel" +
+         (story.zShift > 0 ? ", z of " + grouped(1 << std::min(story.zShift, 30)) + "/65,536" : "");
 }
 
-int matrixRow(const ViewingLayout& at, int y) { return y + (at.narrow ? 16 : 30); }
-
-void drawMatrixAndLight(Pen& pen, const ViewingLayout& at, const ViewingPage& page, int baseline) {
-  const ViewStage stage = page.view.stage;
-  const ViewingStory& story = page.view.story;
-  const int x = at.column.x, width = at.column.width;
-  std::string letters{story.stages.letters(stage)};
-  if (page.matrix == ShownMatrix::AllSoFar) letters = "from the world to " + std::string{rowOf(stage).name};
-  if (page.matrix == ShownMatrix::ToTheScreen)
-    letters = "from " + std::string{rowOf(stage).name} + " to pixels, before / w";
-  section(pen, x, baseline - (at.narrow ? 29 : 35), width,
-          "matrix " + std::to_string(static_cast<int>(stage) + 1), letters);
-  int y = drawMatrix(pen, at, page, baseline + (at.narrow ? 17 : 22));
-  const bool lit = rowOf(page.view.picture.settings().shading).lit;
-  y = section(pen, x, y - (at.narrow ? 7 : 6), width, "shading",
-              lit ? "N and L at the true angle" : "the picture itself uses no light") -
-      (at.narrow ? 11 : 8);
-  const int half = (width - 16) / 2;
-  drawAngle(pen, {x, y, half, at.box}, story, ViewStage::World);
-  const ViewStage beside = stage == ViewStage::World ? ViewStage::Vrc : stage;
-  drawAngle(pen, {x + half + 16, y, half, at.box}, story, beside);
-  y += at.box + (at.narrow ? 6 : 10);
-  const int pitch = at.pitch, end = at.column.y + at.column.height;
-  const ViewingFinding finding = findingOf(story, stage);
-  const int lines = static_cast<int>(broken(finding.heading, (width - 18) / 6).size() +
-                                     broken(finding.why, (width - 18) / 6).size());
-  drawFinding(pen, {x, y, width, std::min(end - y, lines * pitch + 8)}, finding, pitch);
+/// "z = 0.1234 x - 0.5678 y + 12.34": the plane from the snap on, in pixels.
+std::string planeWords(const ViewingStory& story) {
+  if (!story.plane) return "the picture has no polygon of this face";
+  const auto term = [](double v, const char* of) {
+    return (v < 0 ? " - " : " + ") + fitted(std::abs(v), 4, 11) + of;
+  };
+  const glm::dvec3 k = *story.plane;
+  return "z = " + fitted(k.x, 4, 11) + " x" + term(k.y, " y") + term(k.z, "");
 }
 
-std::vector<std::string> inWords(const ViewingPage& page) {
-  const ViewingStory& story = page.view.story;
-  const double unit = lengthUnit(page.view.picture.scene());
-  std::vector<std::string> lines{stageTitle(story, page.view.stage)};
+List rowsOf(const glm::dmat4& m) {
+  List rows;
+  for (int row = 0; row < 4; ++row) rows.push_back(List{m[0][row], m[1][row], m[2][row], m[3][row]});
+  return rows;
+}
+List namesOf(unsigned planes) {
+  List names;
+  for (int k = 0; k < 6; ++k)
+    if (planes >> k & 1u) names.push_back(clipPlaneName(k));
+  return names;
+}
+
+Entry number(double v, bool differs = false) {
+  return {.tone = differs ? Tone::Alarm : Tone::Ink, .number = v};
+}
+
+/// A row for each stage, with a chosen one, or none.
+Table stageTable(const OfViewing& of, int chosen) {
+  const ViewingStory& story = *of.story;
+  const double unit = lengthUnit(of.picture.scene());
+  Table t{.columns = {{.weight = 2}, {"stage"}}, .chosen = chosen, .least = 7, .id = kPressStage};
+  for (const char* name : {"x", "y", "z", "w", "Nx", "Ny", "Nz", "N.L", "I"})
+    t.columns.push_back({.head = name, .right = true});
+  t.columns.push_back({.head = "cell", .weight = 4});
+  t.columns.push_back({.weight = 1});
   for (const ViewStageRow& row : kViewStages) {
-    std::string line = nameWithNumber(row.id);
-    line.resize(12, ' ');
-    if (row.id == ViewStage::Clipped || row.id == ViewStage::Snapped) {
-      lines.push_back(line + (row.id == ViewStage::Clipped ? clippedWords(story) : snappedWords(story)));
+    const VertexAtStage& here = story.of(row.id);
+    std::vector<Entry>& cells = t.rows.emplace_back();
+    cells = {{std::to_string(t.rows.size())}, {std::string{rowOf(row.id).name}}};
+    glm::dvec4 p = shownAt(story, row.id, unit);
+    const bool snapped = row.id == ViewStage::Snapped;
+    if (row.id == ViewStage::Clipped || (snapped && !story.snapped)) {
+      const bool whole = story.cut == 0 && !story.faceGone;
+      cells.push_back({.words = snapped ? snappedWords(story) : clippedWords(story),
+                       .tone = snapped || whole ? Tone::Soft : Tone::Ink,
+                       .span = 11});
       continue;
     }
-    const VertexAtStage& here = story.of(row.id);
-    const glm::dvec4 p = shownAt(story, row.id, unit);
-    line += "at";
-    for (int k = 0; k < 4; ++k) line += ' ' + fitted(p[k], 4, 11);
-    line += "; N";
-    for (int k = 0; k < 3; ++k) line += ' ' + fixed(here.N[k], 4);
-    lines.push_back(line + "; N.L " + (here.NdotL ? fixed(*here.NdotL, 4) : "-") + ", I " + fixed(here.I, 4));
+    if (snapped) {
+      p = {glm::dvec3{*story.snapped} / double{kGrid}, 1.0};
+      p.z = std::ldexp(p.z, story.zShift);
+    }
+    for (int k = 0; k < 3; ++k) cells.push_back(number(p[k]));
+    if (snapped) {
+      cells.push_back({.words = "whole steps; plane " + planeWords(story), .tone = Tone::Soft, .span = 8});
+      continue;
+    }
+    cells.push_back(p.w == 1.0 ? Entry{"1"} : number(p.w));
+    for (int k = 0; k < 3; ++k) cells.push_back(number(here.N[k]));
+    const bool differs = story.differsInNdotL(row.id), dim = story.differsInI(row.id);
+    cells.push_back(here.NdotL ? number(*here.NdotL, differs) : Entry{"-"});
+    cells.push_back(number(here.I, dim));
+    cells.push_back({.words = here.cell ? std::to_string(*here.cell) : "", .swatch = here.cell});
+    cells.push_back({differs || dim ? "not the world's" : ""});
   }
-  const ViewingFinding finding = findingOf(story, page.view.stage);
-  lines.push_back(finding.heading + ' ' + finding.why);
-  return lines;
+  return t;
 }
+
+/// A matrix between brackets, times the vertex before it, is the vertex behind it.
+Section matrixPart(const OfViewing& of, ViewStage stage, ShownMatrix shown) {
+  const ViewingStory& story = *of.story;
+  Section s{"matrix " + nameWithNumber(stage), shown == ShownMatrix::AllSoFar      ? "from the world"
+                                               : shown == ShownMatrix::ToTheScreen ? "to pixels, before / w"
+                                                                                   : ""};
+  if (s.aside.empty()) s.aside = story.stages.letters(stage);
+  if (!hasMatrix(stage) && shown == ShownMatrix::ThisStage) {
+    const bool clipped = stage == ViewStage::Clipped;
+    s.say(clipped
+              ? "Clipping is no matrix. It cuts polygons at the front plane, at the back plane, and 8,192 "
+                "pixels from the picture's corner. The sides of the window cut nothing: filling does that."
+          : story.snapped ? "Rounding is no matrix. In steps of the grid:"
+                          : "Rounding is no matrix. This vertex is cut off before it.",
+          9);
+    for (int k = 0; k < 3 && !clipped && story.snapped; ++k) {
+      const double p = story.of(ViewStage::Viewport).at[k],
+                   steps = p * (k < 2 ? double{kGrid} : std::ldexp(double{kGrid}, -story.zShift));
+      s.say(std::string{"xyz"[k]} + "  " + fitted(p, 4, 10) + " px = " + fitted(steps, 2, 14) + ", so " +
+                grouped((*story.snapped)[k]),
+            9);
+    }
+    return s;
+  }
+  const MatrixWithVertex m = matrixOf(story, stage, shown, lengthUnit(of.picture.scene()));
+  Table t{.least = 4};
+  for (const char c : std::string_view{"[nnnn][n]=[n]"})
+    t.columns.push_back(c == 'n' ? Column{.right = true} : Column{.bracket = c});
+  for (int row = 0; row < 4; ++row) {
+    const std::array v{m.matrix[0][row], m.matrix[1][row], m.matrix[2][row],
+                       m.matrix[3][row], m.from[row],      m.to[row]};
+    std::vector<Entry>& cells = t.rows.emplace_back();
+    std::size_t k = 0;
+    for (const Column& c : t.columns) {
+      cells.emplace_back();
+      if (c.bracket) continue;
+      const double n = v[k++];
+      if (n == 0.0 || n == 1.0)
+        cells.back() = {.words = fixed(n, 0), .tone = Tone::Soft};
+      else
+        cells.back() = {.tone = k == 5 ? Tone::Ink : Tone::Bold, .number = n};
+    }
+  }
+  s.add(std::move(t));
+  return s;
+}
+
+std::string lightWords(const Picture& picture) {
+  return rowOf(picture.settings().shading).lit ? "N and L at the true angle"
+                                               : "the picture itself uses no light";
+}
+
+Data stageData(const OfViewing& of, ViewStage stage) {
+  const ViewingStory& story = *of.story;
+  const double unit = lengthUnit(of.picture.scene());
+  const VertexAtStage& here = story.of(stage);
+  List lights;
+  for (const ExplainedLight& light : here.equation.lights)
+    lights.push_back(Object{{"L", light.L}, {"N.L", light.NdotL}, {"cosine", light.cosine}});
+  return Object{{"name", rowOf(stage).name},
+                {"letters", story.stages.letters(stage)},
+                {"matrix", rowsOf(matrixOf(story, stage, ShownMatrix::ThisStage, unit).matrix)},
+                {"so_far", rowsOf(matrixOf(story, stage, ShownMatrix::AllSoFar, unit).matrix)},
+                {"at", shownAt(story, stage, unit)},
+                {"N", here.N},
+                {"V", here.equation.V},
+                {"lights", lights},
+                {"I", here.I},
+                {"keeps_angles", here.keepsAngles},
+                {"N.L", here.NdotL},
+                {"cell", here.cell}};
+}
+
+}  // namespace
+
+Page ofViewing(const OfViewing& of) {
+  const ViewingStory& story = *of.story;
+  const Picture& picture = of.picture;
+  const Scene& scene = picture.scene();
+  const glm::ivec2 size{picture.settings().width, picture.settings().height};
+  const std::string vertex = textOf(story.vertex), part = partOf(scene, story.vertex),
+                    projection =
+                        picture.camera().view.projection == Projection::Parallel ? "parallel" : "perspective";
+  Page page{.of = "vertex " + vertex + " of " + titleOf(scene) + " at " + sizeText(size.x, size.y) + ": " +
+                  part + ", point " + std::to_string(story.point) + " of the mesh; " + projection};
+  Section s;
+  s.fact("vertex", vertex), s.fact("face", story.vertex.face), s.fact("corner", story.vertex.corner + 1);
+  s.fact("point", story.point), s.fact("group", part), s.fact("size", size);
+  s.fact("projection", projection), s.fact("unit", lengthUnit(scene));
+  List stages;
+  for (const ViewStageRow& row : kViewStages) stages.push_back(stageData(of, row.id));
+  s.fact("stages", stages), s.fact("outside", namesOf(story.outside)), s.fact("cut_by", namesOf(story.cut));
+  s.fact("face_gone", story.faceGone), s.fact("snapped", story.snapped), s.fact("plane", story.plane);
+  s.fact("z_shift", story.zShift), s.fact("of_picture", story.ofPicture), s.fact("agrees", story.agrees);
+  if (const std::string lengths = lengthsInWords(scene); !lengths.empty()) s.say(lengths);
+  s.add(stageTable(of, -1));
+  s.say(snappedWords(story)).indent = 12;
+  s.say(std::string{"N is the plane's normal; I is the equation's at the vertex with this N"} +
+        (picture.shading().lighting().channels > 1 ? ", as a gray" : "") +
+        ". Behind the world, N goes where the plane goes, L and V where these directions go; fatt stays");
+  page.sections.push_back(std::move(s));
+  for (const ViewStageRow& row : kViewStages)
+    if (!story.stages.letters(row.id).empty())
+      page.sections.push_back(matrixPart(of, row.id, ShownMatrix::ThisStage));
+  Section& end = page.sections.emplace_back(Section{"shading", lightWords(picture)});
+  end.say("x, y and z are divided by w " +
+          fitted(matrixOf(story, ViewStage::Viewport, ShownMatrix::ThisStage, 1.0).to.w, 4, 10) +
+          ": that is the row of 6 viewport");
+  for (const ViewStageRow& row : kViewStages)
+    if (hasMatrix(row.id)) {
+      Finding& found = end.add(findingOf(story, row.id));
+      found.bold = nameWithNumber(row.id) + ": " + found.bold;
+    }
+  if (story.snapped)
+    end.say(std::string{"the picture's vertex is "} +
+            (story.agrees ? "the one that the stages lead to, to the last bit" : "ANOTHER ONE"));
+  return page;
+}
+
+Page stagesOf(const OfViewing& of, ViewStage stage) {
+  const FaceCorner& vertex = of.story->vertex;
+  const std::string face = "face " + std::to_string(vertex.face), part = partOf(of.picture.scene(), vertex);
+  return {.sections = {{"a vertex and its plane",
+                        (part == face ? face : face + ", " + part) + ", corner " +
+                            std::to_string(vertex.corner + 1) + "; click another, or press g",
+                        {stageTable(of, static_cast<int>(stage))}}}};
+}
+
+Page matrixAndLight(const OfViewing& of, ViewStage stage, ShownMatrix shown) {
+  Section light{"shading", lightWords(of.picture)};
+  light.add(Sketch{.draw =
+                       [story = of.story, stage](Pen& pen, const Rect& at) {
+                         const int half = (at.width - 16) / 2;
+                         drawAngle(pen, {at.x, at.y, half, at.height}, *story, ViewStage::World);
+                         drawAngle(pen, {at.x + half + 16, at.y, half, at.height}, *story,
+                                   stage == ViewStage::World ? ViewStage::Vrc : stage);
+                       },
+                   .lines = 5,
+                   .weight = 9});
+  light.add(findingOf(*of.story, stage));
+  return {.sections = {matrixPart(of, stage, shown), std::move(light)}};
+}
+
+}  // namespace page
 
 }  // namespace xnewell

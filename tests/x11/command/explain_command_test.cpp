@@ -219,8 +219,8 @@ TEST_F(CommandTest, ExplainsTheViewing) {
   for (const Json& stage : e.at("stages")) {
     const std::string name = stage.at("name").get<std::string>();
     if (name == "clipped" || name == "snapped") continue;
-    const std::string row = fixed(stage.at("N").at(2).get<double>(), 4) + std::string(3, ' ') +
-                            fixed(stage.at("N.L").get<double>(), 4) + std::string(3, ' ') +
+    const std::string row = fixed(stage.at("N").at(2).get<double>(), 4) + "  " +
+                            fixed(stage.at("N.L").get<double>(), 4) + "  " +
                             fixed(stage.at("I").get<double>(), 4);
     EXPECT_NE(end.out.find(row), std::string::npos) << name << ": " << row << '\n' << end.out;
   }
@@ -236,7 +236,7 @@ TEST_F(CommandTest, ExplainsTheViewing) {
     EXPECT_NEAR(q[k] / q[3] * 65536, e.at("snapped").at(k).get<double>(), 0.5001) << k;
   for (const char* line :
        {"2 VRC: A turn keeps angles.", "3 sheared: Shade in the world, not behind the shear.",
-        "the one that the stages lead to, to the last bit\n", "matrix of 3 sheared: SH T(-PRP)\n"})
+        "the one that the stages lead to, to the last bit\n", "matrix 3 sheared: SH T(-PRP)\n"})
     EXPECT_NE(end.out.find(line), std::string::npos) << line << end.out;
 }
 
@@ -264,7 +264,7 @@ TEST_F(CommandTest, ExplainsTheViewingOfNoArea) {
   EXPECT_EQ(end.err, "xnewell: note: the picture is empty: no face has an area\n");
   EXPECT_NE(end.out.find("2 VRC: This face has no area."), std::string::npos) << end.out;
   EXPECT_EQ(end.out.find("Shade in the world"), std::string::npos) << end.out;
-  EXPECT_NE(end.out.find("6 viewport     400.0000   300.0000"), std::string::npos) << end.out;
+  EXPECT_NE(end.out.find("6  viewport  400.0000  300.0000"), std::string::npos) << end.out;
   EXPECT_EQ(runProgram({"explain", scene, "400,300"}).err, end.err);
 }
 

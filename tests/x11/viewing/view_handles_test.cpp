@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "tests/x11/viewing/viewing_window.h"
-#include "x11/viewing/viewing_words.h"
+#include "x11/viewing/viewing_page.h"
 
 namespace xnewell::THIS_FILE {
 

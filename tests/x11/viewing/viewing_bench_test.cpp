@@ -244,17 +244,18 @@ TEST(ViewingBench, ShowsThreeMatrices) {
   const ViewingStory story{b.picture(), *cornerOf(b.scene().mesh, b.viewing().vertex())};
   const double unit = lengthUnit(b.scene());
   for (const ViewStageRow& row : kViewStages)
-    for (const ShownMatrixRow& shown : kShownMatrices) {
-      const MatrixWithVertex m = matrixOf(story, row.id, shown.id, unit);
+    for (const ShownMatrix shown :
+         {ShownMatrix::ThisStage, ShownMatrix::AllSoFar, ShownMatrix::ToTheScreen}) {
+      const MatrixWithVertex m = matrixOf(story, row.id, shown, unit);
       const glm::dvec4 product = m.matrix * m.from;
       for (int k = 0; k < 4; ++k)
         EXPECT_NEAR(product[k], m.to[k], 1e-9 * (1 + std::abs(m.to[k]))) << row.name;
       const glm::dvec4 last = m.to / m.to.w,
-                       here = shownAt(
-                           story, shown.id == ShownMatrix::ToTheScreen ? ViewStage::Viewport : row.id, unit);
+                       here = shownAt(story, shown == ShownMatrix::ToTheScreen ? ViewStage::Viewport : row.id,
+                                      unit);
       for (int k = 0; k < 3; ++k)
         EXPECT_NEAR(last[k], here[k] / here.w, 1e-9 * (1 + std::abs(last[k])))
-            << row.name << ' ' << shown.name;
+            << row.name << ' ' << kShownMatrices[static_cast<std::size_t>(shown)];
     }
   b.does(NamedKey::Right);
   IndexImage last = b.image();
@@ -273,8 +274,7 @@ TEST(ViewingBench, SaysWhatTheStorySays) {
     const ViewingStory story{b.picture(), *cornerOf(b.scene().mesh, b.viewing().vertex())};
     for (const ViewStageRow& row : kViewStages) {
       if (row.id == ViewStage::Clipped || row.id == ViewStage::Snapped) continue;
-      const std::string line =
-          "; N.L " + fixed(*story.of(row.id).NdotL, 4) + ", I " + fixed(story.of(row.id).I, 4);
+      const std::string line = fixed(*story.of(row.id).NdotL, 4) + "  " + fixed(story.of(row.id).I, 4);
       EXPECT_NE(b.words().find(line), std::string::npos) << scene << ' ' << row.name << '\n' << b.words();
     }
   }
