@@ -24,6 +24,8 @@ constexpr double kLargeN = 32;
 constexpr int kFewTelling = 5;  ///< samples; fewer tell nothing
 constexpr double kTwoInformative = 0.95;
 constexpr int kPlacesForTwo = 3;  ///< pairs of values that must tell before two mistakes are named
+/// The same before a number is named: with one face, there is always a number that explains its value.
+constexpr int kPlacesForNumber = 3;
 
 /// -log p(d) for each width, in steps of 1/16 shade.
 constexpr int kSteps = 16, kFarthest = 256 * kSteps;
@@ -160,7 +162,8 @@ Fit Diagnoser::fit(TurnWay turn, const std::vector<Predicted>& other, std::size_
 /// True if a row or a number explains what it must.
 bool Diagnoser::isTold(const Fit& fit) const {
   const bool isMistake = fit.first->meaning == Meaning::Wrong;
-  return fit.telling >= kFewTelling &&
+  const bool isNumber = fit.first->meaning == Meaning::Numbers;
+  return fit.telling >= kFewTelling && (!isNumber || fit.places >= kPlacesForNumber) &&
          fit.informative >= (tellsExactly() && !isMistake ? kExact : kInformative);
 }
 
@@ -246,7 +249,7 @@ void Diagnoser::decide(Diagnosis& d) {
     return addPixel(d);
   }
   if (decideByTwo(d, best, false)) return addPixel(d);
-  if (numbers = numbersThatFit(true); !numbers.empty() && numbers.front().places > 1) {
+  if (numbers = numbersThatFit(true); !numbers.empty()) {
     d.verdict = Marking::Numbers, d.found = numbers;
     return addPixel(d);
   }

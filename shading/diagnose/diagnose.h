@@ -33,7 +33,8 @@ namespace xnewell {
 ///    is to show the same stored value; elsewhere, edges of other programs leave some slack.
 /// 6. If the right program does not show the picture exactly, other numbers are searched for, one at a time
 ///    (numbers.cpp). A number that fits better than all rows is told; one that fits as well as a mistake is
-///    told with it, and one that fits as well as what the course allows is a doubt.
+///    told with it, and one that fits as well as what the course allows is a doubt. One face alone tells no
+///    number.
 /// 7. Outlines that are farther from the right ones than other edge rules and rounded corners may bring them
 ///    (outlines.h) are told; a picture with such outlines is not right.
 /// 8. If nothing fits, two rows at once are tried, and after them numbers in small steps.

@@ -353,6 +353,10 @@ ShownHere OtherProgram::at(int face, int i, int j) {
       between += in.onScreen[k] * cellOf(intensity(atCorner(f.number, in.corner[k], f.back), kNoTexel));
     shown.cell = static_cast<int>(std::floor(between + 0.5));
   }
+  if (way_.store >= StoreWay::By255) {
+    shown.value[0] = withoutTable(shown.I);
+    return shown;
+  }
   shown.value[0] = stored(shown.cell);
   const int j0 = std::clamp(shown.cell - table_.first(), 1, table_.shades() - 2);
   shown.step = std::max(1.0, 255.0 * (table_.level(j0 + 1) - table_.level(j0 - 1)) / 2);

@@ -76,7 +76,9 @@ ExplainedLight EquationAt::explained(const Light& light, const ExplainedEquation
   e.L = unit(towards);
   if (!directional) {
     e.fatt = attenuation(light, glm::dot(towards, e.L), unit_);
-    e.spot = spotShare(light, unit(light.position - at.P));
+    const glm::dvec3 own = unit(light.position - at.P);
+    e.spot = spotShare(light, own);
+    if (user_.constantL && light.kind == LightKind::Spot) e.coneL = own;
   }
   if (derivative) e.L = carried(*derivative, e.L);
   const EquationVectors vectors{at.N, e.L, at.V};

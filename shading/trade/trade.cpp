@@ -35,9 +35,10 @@ constexpr double kSaves = 1.1, kMaySave = 1.05;
 /// How narrow the intervals of the last times shall be, so that chance seldom decides what is a tie.
 constexpr double kNarrow = 0.02;
 
-/// What has begun may take this share of the time more than its part has left. Then it is given up. So one
-/// picture that takes very long cannot take more.
-constexpr double kBeyond = 0.5;
+/// What has begun when the time of its part is over may take this share of the whole time more. Then it is given
+/// up. So the parts together take no more than this share beyond the time, but for the set-up itself, which is
+/// always measured.
+constexpr double kBeyond = 0.05;
 
 /// The trade while it is made.
 class Trader {
@@ -80,7 +81,7 @@ class Trader {
 
   /// While it lives, what belongs to a part that ends at `share` of the time can be given up.
   [[nodiscard]] MayGiveUp limitOf(double share) const {
-    const double last = std::max(seconds(), share * request_.seconds) + kBeyond * request_.seconds;
+    const double last = (share + kBeyond) * request_.seconds;
     return MayGiveUp{[this, last] { return seconds() > last; }};
   }
   /// Returns false if the work was given up.

@@ -383,6 +383,10 @@ void addVectors(Section& s, const PixelStory& story, const ExplainedEquation& at
       s.say(
           "f" + which + " = " + number(light.fatt) + " by distance x " + number(light.spot) + " by the cone",
           2);
+    if (light.coneL)
+      s.say("the cone is asked at this place: L there" + components(*light.coneL) + "; L" + which +
+                " is that of the scene's centre",
+            3);
   }
   s.add(std::move(t));
   s.say("at " + place(at.P) + "; the eye is at " + place(story.picture.camera().eye), 1);
@@ -592,17 +596,16 @@ Section dataOf(const PixelStory& story) {
   List equations;
   for (const ExplainedEquation& at : e->equations) {
     List lights;
-    for (const ExplainedLight& light : at.lights)
-      lights.push_back(Object{{"L", light.L},
-                              {"R", light.R},
-                              {"N.L", light.NdotL},
-                              {"cosine", light.cosine},
-                              {"power", light.power},
-                              {"fatt", light.fatt},
-                              {"spot", light.spot},
-                              {"Ip", channels(light.Ip)},
-                              {"diffuse", channels(light.diffuse)},
-                              {"specular", channels(light.specular)}});
+    for (const ExplainedLight& light : at.lights) {
+      Object told{{"L", light.L},           {"R", light.R},         {"N.L", light.NdotL},
+                  {"cosine", light.cosine}, {"power", light.power}, {"fatt", light.fatt},
+                  {"spot", light.spot}};
+      if (light.coneL) told.emplace_back("L_of_cone", *light.coneL);
+      told.insert(told.end(), {{"Ip", channels(light.Ip)},
+                               {"diffuse", channels(light.diffuse)},
+                               {"specular", channels(light.specular)}});
+      lights.push_back(std::move(told));
+    }
     const auto ofSurface = [&](double Reflection::*k) {
       return channels({at.surface[0].*k, at.surface[1].*k, at.surface[2].*k});
     };

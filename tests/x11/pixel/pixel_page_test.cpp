@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "shading/picture/picture_cache.h"
 #include "x11/pixel/pixel_bench.h"
@@ -51,6 +53,37 @@ TEST(PixelPage, AScreenShowsTheHighBits) {
             std::string::npos);
   EXPECT_NE(said({65535, 2047, 2048}, 5).find("the upper 5 bits: 31, 0, 1\n"), std::string::npos);
   EXPECT_NE(said({52685, 255, 256}, 16).find("all 16 bits: 52685, 255, 256\n"), std::string::npos);
+}
+
+// With a constant L, the share of a spot can be computed from the L that is said for the cone alone.
+TEST(PixelPage, SaysWhichLTheConeHas) {
+  PictureCache pictures{readScene("spotlight")};
+  PictureSettings settings = pictures.scene().settings;
+  settings.camera = pictures.scene().camera;
+  settings.width = 80, settings.height = 60;
+  settings.shading = Shading::Phong, settings.light.constantL = true;
+  const Picture picture = pictures.make(settings, 0);
+  const Light& spot = pictures.scene().light.lights.front();
+  const auto cosineOf = [](double degrees) { return std::cos(degrees * std::acos(-1.0) / 180); };
+  int edge = 0;
+  for (int j = 0; j < settings.height; ++j)
+    for (int i = 0; i < settings.width; ++i) {
+      const auto story = std::make_shared<const PixelStory>(picture, i, j);
+      if (!story->shown()) continue;
+      const auto json = nlohmann::json::parse(page::asJson(page::ofPixel(story, {})));
+      const auto light = json["equations"][0]["lights"][0];
+      double dot = 0, length = 0;
+      for (int c = 0; c < 3; ++c)
+        dot -= light["L_of_cone"][c].get<double>() * spot.direction[c],
+            length += spot.direction[c] * spot.direction[c];
+      const double a = dot / std::sqrt(length), inner = cosineOf(spot.inner), outer = cosineOf(spot.outer);
+      const double share = a >= inner   ? 1
+                           : a <= outer ? 0
+                                        : std::pow((a - outer) / (inner - outer), spot.falloff);
+      ASSERT_NEAR(light["spot"].get<double>(), share, 1e-9) << i << ',' << j;
+      edge += share > 0 && share < 1;
+    }
+  EXPECT_GT(edge, 20);
 }
 
 // What must be there in each window has room, for all methods, textures, colours and lights: the history,
