@@ -36,6 +36,31 @@ void collapse(const Mesh& mesh, int face, std::vector<int>& corners) {
   while (corners.size() > 1 && at(corners.back()) == at(corners.front())) corners.pop_back();
 }
 
+/// Leaves out the corners from which the outline runs back on itself, within `width`: the edges there cover
+/// nothing. Where it is back at the same place, the later corner goes, too.
+void dropSpikes(std::vector<glm::dvec3>& p, std::vector<int>& corners, double width) {
+  const auto isTip = [&](std::size_t a, std::size_t b, std::size_t c) {
+    const glm::dvec3 out = p[b] - p[a], back = p[c] - p[b];
+    if (glm::dot(out, back) >= 0.0) return p[b] == p[c];
+    return glm::length(glm::cross(out, back)) <= width * std::max(glm::length(out), glm::length(back));
+  };
+  std::size_t first = 0, end = 0;  // what is left
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    p[end] = p[k], corners[end++] = corners[k];
+    while (end > 2 && isTip(end - 3, end - 2, end - 1)) {
+      p[end - 2] = p[end - 1], corners[end - 2] = corners[end - 1];
+      end -= p[end - 3] == p[end - 1] ? 2 : 1;
+    }
+  }
+  while (end - first > 2 && (isTip(end - 2, end - 1, first) || isTip(end - 1, first, first + 1)))
+    isTip(end - 2, end - 1, first) ? --end : ++first;
+  const auto keep = [&](auto& list) {
+    list.resize(end);
+    list.erase(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(first));
+  };
+  keep(p), keep(corners);
+}
+
 /// The perimeter / the area; infinite without area.
 double steepnessOf(std::span<const glm::dvec3> p) {
   glm::dvec3 area{0.0};  // doubled
@@ -48,7 +73,8 @@ double steepnessOf(std::span<const glm::dvec3> p) {
   return 2.0 * perimeter / glm::length(area);
 }
 
-Outline outlineOf(const Mesh& mesh, std::span<const int> corners, double rounding) {
+/// Takes the spikes from the corners, too.
+Outline outlineOf(const Mesh& mesh, std::vector<int>& corners, double rounding) {
   const auto at = [&](int corner) { return mesh.points[mesh.corners[corner]]; };
   // Scale by a power of two first, so that differences do not overflow. Then move the box to the origin and
   // scale again, so that the box is 2^49 to 2^50 steps long.
@@ -64,12 +90,15 @@ Outline outlineOf(const Mesh& mesh, std::span<const int> corners, double roundin
   const int steps = kDivisionGridBits - boxExponent;
   for (glm::dvec3& q : p) q = scaled(q - box.low, steps);
 
+  const double e = std::ldexp(extent, kDivisionGridBits), u = std::ldexp(rounding, steps - exponent);
+  const Rounding bound{e, std::ldexp(magnitude, steps)};
+  dropSpikes(p, corners, bound.arithmetic());
+
   Outline outline;
+  if (p.size() < 3) return outline;
   std::vector<int> all(p.size());
   std::iota(all.begin(), all.end(), 0);
   const Plane plane = newellPlane(p, all);
-  const double e = std::ldexp(extent, kDivisionGridBits), u = std::ldexp(rounding, steps - exponent);
-  const Rounding bound{e, std::ldexp(magnitude, steps)};
   std::vector<RoundedPoint> points;
   for (const glm::dvec3& q : p) points.push_back({q, bound.counted(u)});
   // Most bent faces are known without a fit: a corner is further off than any rounding can explain.
@@ -143,17 +172,12 @@ ConvexParts divideFaces(const Mesh& mesh) {
   std::vector<int> corners;
   for (int f = 0; f < mesh.faceCount(); ++f) {
     collapse(mesh, f, corners);
+    Outline outline;
+    if (corners.size() > 3) outline = outlineOf(mesh, corners, mesh.roundingOf(f));
     if (corners.size() < 3) {
       corners.resize(mesh.face(f).size());
       std::iota(corners.begin(), corners.end(), mesh.firstCorner[f]);
-      addPart(parts, mesh, corners, f);
-      continue;
     }
-    if (corners.size() == 3) {
-      addPart(parts, mesh, corners, f);
-      continue;
-    }
-    const Outline outline = outlineOf(mesh, corners, mesh.roundingOf(f));
     if (!outline.hasArea || (outline.planar && isConvex(outline.grid))) {
       addPart(parts, mesh, corners, f);
       continue;

@@ -37,7 +37,8 @@ struct ConvexParts {
 };
 
 /// Divides the faces that are bent or concave. The rule depends on the model only, never on a camera:
-/// - Of successive corners at one place, the first is kept.
+/// - Of successive corners at one place, the first is kept. A spike, where the outline runs out and back on
+///   itself, is left out.
 /// - A triangle, or a planar convex polygon, is one part. It keeps the corners on its straight sides, because
 ///   neighbours may use them.
 /// - Any other quadrilateral is cut from corner 0 to 2, or from 1 to 3 if only that gives two triangles that

@@ -76,6 +76,34 @@ TEST(Divide, CoincidentCornersCollapse) {
   EXPECT_EQ(partsOf(Pts{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}), (List{{0, 1, 2}}));
 }
 
+// Where an outline runs out and back it has no area, wherever it begins: not outside, not inside, not with a
+// bend, and not where it comes back only half the way.
+TEST(Divide, SpikesHaveNoArea) {
+  const Pts tips{{1.8, 0.4, 0}, {0.1, -0.3, 0}, {0.3, 0.1, 0.8}};
+  const auto spiked = [&](const Pts& base, const Pts& spike) {
+    for (std::size_t begin = 0; begin < base.size() + spike.size(); ++begin) {
+      Pts p = base;
+      p.insert(p.end(), spike.begin(), spike.end());
+      std::ranges::rotate(p, p.begin() + static_cast<std::ptrdiff_t>(begin));
+      glm::dvec3 sum{0};
+      double area = 0;  // doubled
+      for (const auto& part : partsOf(p)) {
+        const glm::dvec3 mine = newellVector(p, part);
+        sum += mine, area += glm::length(mine);
+      }
+      EXPECT_NEAR(area, glm::length(sum), 1e-12) << begin;
+      EXPECT_EQ(partsOf(p).size(), partsOf(base).size()) << begin;
+    }
+  };
+  const Pts triangle{{-1, -1, 0}, {1, 1, 0}, {0, 1, 0}},
+      ell{{0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {1, 0, 0}};
+  for (const Pts& base : {triangle, ell}) {
+    for (const glm::dvec3& tip : tips) spiked(base, {tip, base.back()});
+    spiked(base, {tips[0], tips[1], tips[2], tips[1], tips[0], base.back()});
+  }
+  spiked({{-1, -1, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 1, 0}}, {{-3, 1, 0}, {-2, 1, 0}});
+}
+
 // A bent quadrilateral is cut from corner 0 to corner 2, whichever way it is bent or seen.
 TEST(Divide, BentQuadIsCutFromItsFirstCorner) {
   for (const double bend : {0.1, -0.1, 1e-9}) {
