@@ -5,6 +5,8 @@
 #include <limits>
 #include <span>
 
+#include "geometry/view/touch.h"
+
 namespace xnewell {
 
 namespace {
@@ -200,9 +202,13 @@ std::vector<CornerDistance> Explainer::distances(int of, int fromPlaneOf) const 
   std::vector<CornerDistance> distances;
   for (std::size_t k = 0; k < region.size(); ++k) {
     const Side &side = region[k], &next = region[k + 1 == region.size() ? 0 : k + 1];
+    const int sign = same ? 0 : regions_.sign(nearer, side.line, next.line, side.corner);
+    const int front = sign > 0 ? of : fromPlaneOf, behind = sign > 0 ? fromPlaneOf : of;
     distances.push_back({{onScreen(side.corner.x), onScreen(side.corner.y)},
                          pixels(depthAtCorner(plane, side.corner) - depthAtCorner(other, side.corner)),
-                         same ? 0 : regions_.sign(nearer, side.line, next.line, side.corner)});
+                         sign,
+                         sign == 0 || mayTouch(*scene_, fragments_.face(front), fragments_.face(behind),
+                                               std::llrint(side.corner.x), std::llrint(side.corner.y))});
   }
   return distances;
 }
@@ -263,7 +269,17 @@ std::string Explainer::failed(const Event& e, Test test) const {
   const bool aboutPlanes = test == Test::PBehindQ || test == Test::QInFrontOfP;
   if (aboutPlanes && regions_.samePlane(fragments_.face(e.P).plane, fragments_.face(e.Q).plane))
     return filled("{P} and {Q} lie in one plane.", called(e.P, "P"), called(e.Q, "Q"));
-  return filled(refutationOf(test), called(e.P, "P"), called(e.Q, "Q"));
+  return filled(refutationOf(test), called(e.P, "P"), called(e.Q, "Q")) +
+         (failsByRounding(e, test) ? " Within rounding, it lies on that plane." : "");
+}
+
+bool Explainer::failsByRounding(const Event& e, Test test) const {
+  const bool ofP = test == Test::PBehindQ || test == Test::PInFrontOfQ;
+  const bool aboutPlane = ofP || test == Test::QInFrontOfP || test == Test::QBehindP;
+  if (!aboutPlane || test == e.test) return false;
+  const int allowed = test == Test::PBehindQ || test == Test::QBehindP ? -1 : 1;
+  return std::ranges::all_of(ofP ? distances(e.P, e.Q) : distances(e.Q, e.P),
+                             [&](const CornerDistance& c) { return c.sign == allowed || c.mayBeOn; });
 }
 
 std::string Explainer::sentence(const Event& e, Test test) const {

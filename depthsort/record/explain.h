@@ -30,6 +30,7 @@ struct CornerDistance {
   Place at;
   double inFront;  ///< negative if it is behind the plane
   int sign;        ///< exact, even if inFront rounds to 0
+  bool mayBeOn;    ///< rounding explains the distance (touch.h)
 };
 /// How many corners of a fragment lie in front of a plane (on the viewer's side), on it and behind it.
 struct CornerCounts {
@@ -87,6 +88,9 @@ class Explainer {
   /// others failed, which proves nothing. Later tests were not made. Tests 3 and 4 are not made for two
   /// polygons in one plane.
   [[nodiscard]] std::vector<Test> testsMade(const Event& compare) const;
+  /// True if a test of a plane that was made would pass if each corner were on the plane that may be on it.
+  /// So who does the test by hand, without the rounding, finds that it settles the pair.
+  [[nodiscard]] bool failsByRounding(const Event& compare, Test test) const;
   /// Chooses what sentences call P and Q. The sentence about taking P always gives its name.
   void call(Called called) { called_ = called; }
 

@@ -5,6 +5,7 @@
 #include "depthsort/oracle.h"
 #include "depthsort/order.h"
 #include "depthsort/pair_tests.h"
+#include "depthsort/record/explain.h"
 #include "shading/diagnose/face_images.h"
 #include "shading/picture/picture_cache.h"
 #include "x11/drawing/wording.h"
@@ -87,11 +88,16 @@ MaybeOne cutsOfTheSort(Dice&, const QuestionScene& s) {
   return q;
 }
 
+/// No pair is asked that rounding alone keeps from an earlier test: a corner that two faces share may miss
+/// the snapped plane of the other.
 MaybeOne settlingTest(Dice& dice, const QuestionScene& s) {
   std::vector<const Event*> compared;
   const int faces = static_cast<int>(s.picture.snapped().faces.size());
+  const Explainer explainer{s.picture.scene().mesh, s.picture.snapped(), s.sorted, true};
   for (const Event& e : s.sorted.events)
-    if (e.kind == Event::Kind::Compare && e.P < faces && e.Q < faces && e.test != Test::SamePlane)
+    if (e.kind == Event::Kind::Compare && e.P < faces && e.Q < faces && e.test != Test::SamePlane &&
+        std::ranges::none_of(explainer.testsMade(e),
+                             [&](Test test) { return explainer.failsByRounding(e, test); }))
       compared.push_back(&e);
   if (compared.empty()) return std::nullopt;
   const Event& e =

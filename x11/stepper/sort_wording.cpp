@@ -31,11 +31,11 @@ std::vector<std::string> extentNumbers(const Range& P, const Range& Q) {
 /// How many corners lie on the side that the test asks for, and the distance of each.
 std::vector<std::string> planeNumbers(const Explainer& explainer, int of, int other, bool behind) {
   const std::vector<CornerDistance> corners = explainer.distances(of, other);
-  int kept = 0, on = 0;
+  int kept = 0, on = 0;  // on the plane, as far as rounding tells
   std::string each;
   for (const CornerDistance& c : corners) {
-    kept += behind ? c.sign < 0 : c.sign > 0;
-    on += c.sign == 0;
+    kept += !c.mayBeOn && (behind ? c.sign < 0 : c.sign > 0);
+    on += c.mayBeOn;
     each += (each.empty() ? "" : " ") + distanceText(c);
   }
   const std::string side = behind ? "behind" : "in front";

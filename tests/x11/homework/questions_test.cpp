@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <map>
 #include <set>
 #include <string>
@@ -139,11 +141,28 @@ bool covers(const SnappedScene& scene, const SnappedFace& face, int i, int j) {
   return inside;
 }
 
+/// True if a test of the planes settles the pair by hand: by the corners in the model, with the eye in front.
+bool passesByHand(const Picture& picture, Test test, int P, int Q) {
+  const Scene& scene = picture.scene();
+  const ViewSpec& view = picture.camera().view;
+  const glm::dvec3 eye = view.vrp + glm::transpose(vrcRotation(view)) * view.prp;
+  const bool ofP = test == Test::PBehindQ || test == Test::PInFrontOfQ;
+  const auto corners = [&](int face) { return scene.parts.part(picture.snapped().faces[face].part); };
+  const auto of = corners(ofP ? P : Q), other = corners(ofP ? Q : P);
+  const auto at = [&](int c) { return scene.mesh.points[c]; };
+  const glm::dvec3 N = glm::cross(at(other[1]) - at(other[0]), at(other[2]) - at(other[0]));
+  const bool behind = test == Test::PBehindQ || test == Test::QBehindP;
+  return std::ranges::all_of(of, [&](int c) {
+    const double inFront = glm::dot(N, at(c) - at(other[0])) * (glm::dot(N, eye - at(other[0])) > 0 ? 1 : -1);
+    return (behind ? inFront : -inFront) < 1e-12;
+  });
+}
+
 // Answers about a scene are those of a second way: pictures made with these orders, sides of outlines, faces
 // that culling removes, and the steps of a run of the test's own.
 TEST(Questions, AnswersAboutTheSceneAreThoseOfASecondWay) {
   std::map<std::string, int> asked;
-  for (const std::string name : {"two-cards", "cycle", "cubes", "penetrate"}) {
+  for (const std::string name : {"two-cards", "cycle", "cubes", "penetrate", "bench"}) {
     SCOPED_TRACE(name);
     const Second other = second(name);
     const SnappedScene& snapped = other.unsorted.snapped();
@@ -174,6 +193,10 @@ TEST(Questions, AnswersAboutTheSceneAreThoseOfASecondWay) {
         ASSERT_NE(event, other.run.events.end());
         EXPECT_TRUE(q.choices[q.right].starts_with(
             "test " + std::string{kTestRows[static_cast<std::size_t>(event->test)].name} + ":"));
+        for (const Test test : {Test::PBehindQ, Test::QInFrontOfP, Test::QBehindP, Test::PInFrontOfQ})
+          if (test <= event->test) {
+            EXPECT_EQ(passesByHand(other.unsorted, test, given("P"), given("Q")), test == event->test);
+          }
       } else {
         continue;
       }

@@ -165,7 +165,10 @@ TEST(SortPage, NumbersAreTheExplainers) {
             }
           }
           EXPECT_EQ(again, counts);
-          starts(behind ? counts.behind : counts.inFront, distances.size());
+          const auto kept = std::ranges::count_if(distances, [&](const CornerDistance& d) {
+            return !d.mayBeOn && (behind ? d.sign < 0 : d.sign > 0);
+          });
+          starts(static_cast<int>(kept), distances.size());
           const bool holds = behind ? counts.inFront == 0 : counts.behind == 0;
           if (test == e.test) {
             EXPECT_TRUE(holds);
