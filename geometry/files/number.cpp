@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "geometry/exact/power.h"
 
@@ -70,6 +71,7 @@ namespace {
 struct Spelling {
   long long decimals = 0;  ///< trailing zeros included; not clamped
   int zeros = 0;           ///< at the end of the mantissa
+  int digits = 0;          ///< of the mantissa, from the first that is not 0
   bool integer = true;     ///< there is no point and no exponent
 };
 Spelling spellingOf(std::string_view number) {
@@ -84,6 +86,7 @@ Spelling spellingOf(std::string_view number) {
     }
     s.decimals += fraction;
     s.zeros = c == '0' ? s.zeros + 1 : 0;
+    s.digits += s.digits > 0 ? c != '.' : c > '0';
     if (c == '.') fraction = true, s.integer = false;
   }
   return s;
@@ -104,13 +107,29 @@ double halfUnit(int d) {
   return kHalfUnits[kMaxDecimals + d];
 }
 
+/// As RoundingOfNumbers reads it.
+Spelling meant(std::string_view number, double value) {
+  constexpr int kDigits = std::numeric_limits<double>::digits10, kZeros = 3;
+  Spelling spelling = spellingOf(number);
+  if (spelling.digits <= kDigits || spelling.zeros > 0) return spelling;
+  std::array<char, 32> text;
+  spelling = spellingOf({text.data(), std::to_chars(text.begin(), text.end(), value).ptr});
+  const char* const end =
+      std::to_chars(text.begin(), text.end(), value, std::chars_format::general, kDigits).ptr;
+  double rounded = 0.0;
+  std::from_chars(text.begin(), end, rounded);
+  const Spelling fewer = spellingOf({text.data(), end});
+  const bool isNear = std::abs(rounded - value) <= std::numeric_limits<double>::epsilon() * std::abs(value);
+  return isNear && fewer.decimals + kZeros <= spelling.decimals ? fewer : spelling;
+}
+
 }  // namespace
 
 int decimals(std::string_view number) { return clampedDecimals(spellingOf(number)); }
 
 void RoundingOfNumbers::add(std::string_view number, double value) {
   if (value == 0.0) return;
-  const Spelling spelling = spellingOf(number);
+  const Spelling spelling = meant(number, value);
   if (spelling.integer) {
     integers_ = true;
     return;
@@ -121,7 +140,6 @@ void RoundingOfNumbers::add(std::string_view number, double value) {
   const double half = halfUnit(d), size = std::abs(value);
   const auto single = static_cast<float>(value);
   if (std::abs(single - value) <= half) ++single_;
-  if (size * 0x1p-53 >= 32.0 * 2.0 * half) ++beyond_;
   if (std::isfinite(single) && size * 0x1p-26 > half) ++finer_;
   used_ = std::max(used_, d - spelling.zeros);
 }
@@ -135,8 +153,6 @@ std::string RoundingOfNumbers::doubtful() const {
     holds = "are numbers of single precision";
   else if (used_ >= kZeros && written >= used_ + kZeros - 0.5)
     holds = "have no more than " + std::to_string(used_) + " that are not 0";
-  else if (10LL * beyond_ >= 9LL * all_)
-    holds = "are so large that doubles do not hold them";
   if (holds.empty()) return "";
   return "the coordinates are written with " + std::to_string(std::lround(written)) + " decimals but " +
          holds + ": written with fewer, faces that were made in one plane would count as one plane";

@@ -24,16 +24,17 @@ inline constexpr int kMaxDecimals = 400;  ///< 10^400 is infinite as a double, a
 /// A writer may drop trailing zeros, so the most decimals count. But if one or two numbers have all the
 /// digits of a double and the others have six, the others are not exact. So a tenth of the numbers may have
 /// more decimals than the result says. Zeros tell nothing. A plain integer tells only that the unit's digit
-/// is given.
+/// is given. A program that prints 17 digits writes 0.1 as 0.10000000000000001, and 0.1 + 0.2 as
+/// 0.30000000000000004. So the shortest number that is the same double counts, or one that ends three digits
+/// before it, if that is a double next to it.
 class RoundingOfNumbers {
  public:
   void add(std::string_view number, double value);
   [[nodiscard]] double rounding() const;
   /// A sentence if the numbers are written with more decimals than they hold; otherwise "". They are taken at
-  /// their word, so faces that were made in one plane may count as two. It is seen in three cases, if there
-  /// are at least 24 numbers: all are numbers of single precision; all end in three zeros after at least
-  /// three decimals; or most have more digits than the 17 that tell doubles apart, as if they were moved far
-  /// away. Of other numbers, such as results of arithmetic that loses digits, nothing can be seen.
+  /// their word, so faces that were made in one plane may count as two. It is seen in two cases, if there
+  /// are at least 24 numbers: all are numbers of single precision; or all end in three zeros after at least
+  /// three decimals. Of other numbers, such as results of arithmetic that loses digits, nothing can be seen.
   [[nodiscard]] std::string doubtful() const;
 
  private:
@@ -41,7 +42,6 @@ class RoundingOfNumbers {
   int all_ = 0;
   int single_ = 0;            ///< numbers of single precision
   int finer_ = 0;             ///< numbers with more decimals than single precision holds at their size
-  int beyond_ = 0;            ///< numbers with a unit of at most 1/32 of the distance between doubles there
   int used_ = -kMaxDecimals;  ///< the most decimals up to the last digit that is not 0
   bool integers_ = false;
 };

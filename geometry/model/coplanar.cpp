@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <numeric>
+#include <string>
 #include <utility>
 
+#include "geometry/exact/box.h"
 #include "geometry/exact/give_up.h"
 #include "geometry/model/fit_plane.h"
 #include "geometry/model/sheets.h"
@@ -37,6 +40,29 @@ class Coplanarity {
   Coplanarity(const Mesh& mesh, const ConvexParts& parts) : model_{mesh, parts} {
     classOf_.assign(model_.sheets.size(), -1);
     failures_.assign(model_.sheets.size(), 0);
+  }
+
+  /// The roundings above `least`, in the mesh's units, that pairs of faces show (countRounding()).
+  [[nodiscard]] std::vector<double> shown(const Mesh& mesh, double least) {
+    constexpr double kSurely = 0.9;
+    const double exact = 4.0 * model_.rounding.arithmetic();
+    std::vector<double> shown;
+    std::vector<int> all(model_.sheets.size());
+    std::iota(all.begin(), all.end(), 0);
+    GiveUpNowAndThen giveUp;
+    model_.forNear(all, [&](int i, int j) {
+      giveUp();
+      const std::array pair{model_.parts.plane[i], model_.parts.plane[j]};
+      const ModelSheet &P = model_.sheets[pair[0]], &Q = model_.sheets[pair[1]];
+      const double u = std::max(mesh.roundingOf(model_.parts.face[i]), mesh.roundingOf(model_.parts.face[j]));
+      if (&P == &Q || u <= least || std::ranges::find(shown, u) != shown.end()) return;
+      if (glm::length(glm::cross(P.plane.N, Q.plane.N)) * model_.box.side <= exact || !inOnePlane(i, j))
+        return;
+      const PlaneFit best = fit(pair, FitGoal::Best);
+      if (best.h <= kSurely && best.h * model_.rounding.of(best.plane.N, std::max(P.u, Q.u)) > exact)
+        shown.push_back(u);
+    });
+    return shown;
   }
 
   [[nodiscard]] CoplanarClasses classes() {
@@ -276,6 +302,25 @@ class Coplanarity {
 CoplanarClasses coplanarClasses(const Mesh& mesh, const ConvexParts& parts) {
   if (parts.count() == 0) return {};
   return Coplanarity{mesh, parts}.classes();
+}
+
+void countRounding(Mesh& mesh) {
+  const double side = boxOf(mesh.points).side(), least = 3e-5 / Rounding::kSqrt3 * side;
+  const auto isCoarse = [&](double u) { return u > least; };
+  for (double& u : mesh.rounding)
+    if (u > side / 64) u = least;
+  if (std::ranges::none_of(mesh.rounding, isCoarse)) return;
+  const ConvexParts parts = divideFaces(mesh);
+  const std::vector<double> shown = Coplanarity{mesh, parts}.shown(mesh, least);
+  for (double& u : mesh.rounding)
+    if (isCoarse(u) && std::ranges::find(shown, u) == shown.end()) u = least;
+  if (shown.empty()) return;
+  std::array<char, 32> text;
+  const auto [end, error] =
+      std::to_chars(text.begin(), text.end(), std::ranges::max(shown), std::chars_format::general, 3);
+  mesh.notes.push_back(
+      "some faces are nearer to each other than the file's decimals tell: those that lie within " +
+      std::string{text.data(), end} + " of one plane count as lying in it, and the later one shows");
 }
 
 void uniteCoplanar(const Mesh& mesh, ConvexParts& parts) {

@@ -42,6 +42,15 @@ struct CoplanarClasses {
 /// plane of the larger alone.
 [[nodiscard]] CoplanarClasses coplanarClasses(const Mesh& mesh, const ConvexParts& parts);
 
+/// Sets Mesh::rounding to what of it counts, and tells in a note if that is much. Few decimals may mean two
+/// things. Who writes numbers by hand means them as they are: planes that are apart by less than a unit are
+/// apart. A program rounds. So a rounding of more than 3e-5 / sqrt 3 of the mesh's longest side counts only
+/// if two faces show it; otherwise no more than that counts. Two faces show it if they overlap in area, and
+/// one plane explains both with 9/10 of it, but none without. Layers that are meant to be apart are farther
+/// from each other, or exactly parallel. If the side has fewer than 32 units of the last decimal, nearly any
+/// two faces lie in one plane, and nothing is shown.
+void countRounding(Mesh& mesh);
+
 /// Sets ConvexParts::plane, planes and own to the classes.
 void uniteCoplanar(const Mesh& mesh, ConvexParts& parts);
 

@@ -100,9 +100,9 @@ Outline outlineOf(const Mesh& mesh, std::vector<int>& corners, double rounding) 
   std::iota(all.begin(), all.end(), 0);
   const Plane plane = newellPlane(p, all);
   std::vector<RoundedPoint> points;
-  for (const glm::dvec3& q : p) points.push_back({q, bound.counted(u)});
+  for (const glm::dvec3& q : p) points.push_back({q, u});
   // Most bent faces are known without a fit: a corner is further off than any rounding can explain.
-  const double rho = bound.most(bound.counted(u)), steepness = steepnessOf(p);
+  const double rho = bound.most(u), steepness = steepnessOf(p);
   const glm::dvec3 mean =
       std::accumulate(p.begin(), p.end(), glm::dvec3{0.0}) / static_cast<double>(p.size());
   const bool bent = std::ranges::any_of(p, [&](const glm::dvec3& q) {

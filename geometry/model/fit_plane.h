@@ -8,7 +8,7 @@
 
 namespace xnewell {
 
-/// A point whose coordinates are rounded by at most u (Rounding::counted()).
+/// A point whose coordinates are rounded by at most u.
 struct RoundedPoint {
   glm::dvec3 p;
   double u;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -13,18 +12,14 @@ namespace xnewell {
 /// The corners of a plane with the unit normal N, each coordinate rounded by at most u, lie within
 /// r = u (|Nx| + |Ny| + |Nz|) + e of it. e = 2^-46 side + 2^-50 magnitude is for our own arithmetic and for
 /// the rounding of coordinates to doubles. One plane explains a set of points if none of them is further than
-/// its r from it. So the plane in which they were made explains them. u counts as 3e-5 / sqrt 3 of the side
-/// at most: what explains the coarsest files would unite planes that are visibly apart.
+/// its r from it. So the plane in which they were made explains them.
 class Rounding {
  public:
   /// `side` is the longest side of the box of the points that count, `magnitude` their largest coordinate.
-  Rounding(double side, double magnitude)
-      : most_{kMost * side}, arithmetic_{0x1p-46 * side + 0x1p-50 * magnitude} {}
+  Rounding(double side, double magnitude) : arithmetic_{0x1p-46 * side + 0x1p-50 * magnitude} {}
 
-  /// The part of u that counts.
-  [[nodiscard]] double counted(double u) const { return std::min(u, most_); }
   [[nodiscard]] double arithmetic() const { return arithmetic_; }
-  /// r for a vector N of any length, times that length. `u` has been counted().
+  /// r for a vector N of any length, times that length.
   [[nodiscard]] double of(const glm::dvec3& N, double u) const {
     const glm::dvec3 n = glm::abs(N);
     return u * (n.x + n.y + n.z) + arithmetic_ * glm::length(N);
@@ -46,8 +41,7 @@ class Rounding {
   static constexpr double kSqrt3 = 1.7320508075688772;
 
  private:
-  static constexpr double kMost = 3e-5 / kSqrt3;
-  double most_, arithmetic_;
+  double arithmetic_;
 };
 
 }  // namespace xnewell

@@ -29,8 +29,7 @@ glm::dvec3 UnitBox::inWorld(const glm::dvec3& p) const { return scaled(scaled(p,
 Sheets::Sheets(const Mesh& mesh, const ConvexParts& convexParts)
     : parts{convexParts}, box{mesh.points}, rounding{box.side, box.magnitude} {
   double coarsest = 0.0;
-  const auto counted = [&](double u) { return rounding.counted(std::ldexp(u, -box.exponent)); };
-  for (const double u : mesh.rounding) coarsest = std::max(coarsest, counted(u));
+  for (const double u : mesh.rounding) coarsest = std::max(coarsest, std::ldexp(u, -box.exponent));
   mostRounding_ = rounding.most(coarsest);
   sheets.reserve(parts.plane.empty() ? 0 : parts.plane.back() + 1);
   for (int k = 0; k < parts.count(); ++k) {
@@ -41,7 +40,7 @@ Sheets::Sheets(const Mesh& mesh, const ConvexParts& convexParts)
     ModelSheet& sheet = sheets.emplace_back();
     sheet.firstPart = k;
     sheet.partCount = 1;
-    sheet.u = counted(mesh.roundingOf(parts.face[k]));
+    sheet.u = std::ldexp(mesh.roundingOf(parts.face[k]), -box.exponent);
   }
   for (ModelSheet& sheet : sheets) {
     const int k = sheet.firstPart;

@@ -37,7 +37,7 @@ struct ModelSheet {
   Plane plane;
   glm::dvec3 centroid{0.0};
   double area = 0.0;       ///< twice the area
-  double u = 0.0;          ///< the rounding of its coordinates that counts
+  double u = 0.0;          ///< the rounding of its coordinates
   double steepness = 0.0;  ///< the perimeter / the area
 };
 

@@ -6,9 +6,8 @@
 
 namespace xnewell {
 
-DepthDoubt::DepthDoubt(const ViewSpec& view, int width, int height, int zShift, const Rounding& rounding)
+DepthDoubt::DepthDoubt(const ViewSpec& view, int width, int height, int zShift)
     : scale_{view, width, height, zShift},
-      rounding_{rounding},
       worldFromVrc_{glm::transpose(vrcRotation(view))},
       axis_{-scale_.corner.x / scale_.step.x, scale_.corner.y / scale_.step.y},
       perZ_{scale_.zStep / (scale_.D * scale_.D)},
@@ -22,7 +21,7 @@ Doubt DepthDoubt::of(const ScreenPlane& record, double u) const {
   const double snap = 0.5 + 0.5 * (std::abs(alpha) + std::abs(beta));
   const auto moved = [&](const glm::dvec3& m) {
     const glm::dvec3 n = glm::abs(worldFromVrc_ * m);
-    return rounding_.counted(u) * (n.x + n.y + n.z);
+    return u * (n.x + n.y + n.z);
   };
   if (!scale_.perspective) {
     glm::dvec3 m{-alpha * scale_.zStep / scale_.step.x, beta * scale_.zStep / scale_.step.y, 1.0};

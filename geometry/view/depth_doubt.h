@@ -2,7 +2,6 @@
 
 #include <glm/mat3x3.hpp>
 
-#include "geometry/model/rounding.h"
 #include "geometry/view/plane_record.h"
 #include "geometry/view/project.h"
 
@@ -29,7 +28,7 @@ namespace xnewell {
 /// perhaps not within 1.5 times the first-order change.
 class DepthDoubt {
  public:
-  DepthDoubt(const ViewSpec& view, int width, int height, int zShift, const Rounding& rounding);
+  DepthDoubt(const ViewSpec& view, int width, int height, int zShift);
 
   /// The doubt of a face in `record` whose coordinates were rounded by u in the model. It is off by at most
   /// 2^-23 of itself, because it is stored as floats, where it is below 2^127.
@@ -37,7 +36,6 @@ class DepthDoubt {
 
  private:
   GridScale scale_;
-  Rounding rounding_;
   glm::dmat3 worldFromVrc_;
   glm::dvec2 axis_;  ///< the place of the projection reference point on the grid
   double perZ_, perBack_, q0_;

@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/exact/box.h"
 #include "geometry/exact/plane.h"
 #include "geometry/view/clip.h"
 #include "geometry/view/depth_doubt.h"
@@ -315,8 +314,7 @@ SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& vi
 // The records are in the order of their first faces.
 void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view,
                int width, int height) {
-  const Box box = boxOf(mesh.points);
-  const DepthDoubt doubt{view, width, height, scene.zShift, Rounding{box.side(), box.magnitude()}};
+  const DepthDoubt doubt{view, width, height, scene.zShift};
   const PlaneRecords records{view, width, height, scene.zShift};
   const int count = static_cast<int>(scene.faces.size());
   int modelPlanes = 0;

@@ -57,6 +57,7 @@ Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
   if (mesh.faceCount() == 0) throw std::invalid_argument{name + ": the scene has no faces"};
   keepUsedPoints(mesh);
   partTextures(mesh);
+  countRounding(mesh);
   double largest = 0.0;
   for (const glm::dvec3& p : mesh.points)
     largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});

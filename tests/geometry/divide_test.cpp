@@ -161,7 +161,7 @@ TEST(Divide, PartsOfConcaveFacesSumToTheFace) {
 }
 
 // The rounding of a file does not bend a face. A face counts as planar if each corner is within half the last
-// decimal of one plane, but at most 3e-5 / sqrt 3 of the face. Exact data must be planar to 2^-46.
+// decimal of one plane. Exact data must be planar to 2^-46.
 TEST(Divide, RoundedFacesArePlanar) {
   // Raising corner 2 by 4 h moves the corners h off the Newell plane.
   const auto cuts = [](double h, double rounding) {
@@ -169,8 +169,8 @@ TEST(Divide, RoundedFacesArePlanar) {
   };
   EXPECT_FALSE(cuts(0.99e-6, 1e-6));
   EXPECT_TRUE(cuts(1.01e-6, 1e-6));
-  EXPECT_FALSE(cuts(1.73e-5, 1e-3));
-  EXPECT_TRUE(cuts(1.74e-5, 1e-3));
+  EXPECT_FALSE(cuts(0.99e-3, 1e-3));
+  EXPECT_TRUE(cuts(1.01e-3, 1e-3));
   EXPECT_FALSE(cuts(0x1p-46, 0.0));
   EXPECT_TRUE(cuts(0x1p-45, 0.0));
 }

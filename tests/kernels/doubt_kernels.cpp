@@ -282,7 +282,7 @@ Kernel doubtKernel() {
             view.vpn = {in[kVpn], in[kVpn + 1], in[kVpn + 2]};
             view.vup = {in[kVup], in[kVup + 1], in[kVup + 2]};
             const DepthDoubt doubt{view, static_cast<int>(in[1]), static_cast<int>(in[2]),
-                                   static_cast<int>(in[kShift]), Rounding{1.0, 0.0}};
+                                   static_cast<int>(in[kShift])};
             return Numbers{doubt.of(planeOf(triangleAt(&in[kTriangle])), in[kRounding]).at(in[kZ])};
           },
       .judge =
@@ -310,8 +310,7 @@ Kernel doubtKernel() {
             const BigVec n = unitOf(bigVec(&in[kVpn])), u = unitOf(cross(unitOf(bigVec(&in[kVup])), n)),
                          v = cross(n, u);
             const BigVec N = u * m.x + v * m.y + n * m.z;
-            const Big rounding =
-                smallerOf(big(in[kRounding]), Big{"3e-5"} / sqrt(Big{3})) * (abs(N.x) + abs(N.y) + abs(N.z));
+            const Big rounding = big(in[kRounding]) * (abs(N.x) + abs(N.y) + abs(N.z));
             const ExactPlane exact{triangleAt(&in[kTriangle])};
             const Big grid = (1 + (abs(Big{exact.A}) + abs(Big{exact.B})) / Big{exact.C}) / 2;
             const Big away = in[0] > 0 ? abs(dot(m, along)) / D : abs(dot(m, p[0]));

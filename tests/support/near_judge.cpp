@@ -116,7 +116,7 @@ class Judge {
       side_ = std::max(side_, Real{high[axis]} - low[axis]);
       magnitude = std::max({magnitude, Real{abs(high[axis])}, Real{abs(low[axis])}});
     }
-    u_ = std::min(Real{u}, 3e-5 / std::sqrt(3.0) * side_);
+    u_ = u;
     e_ = 0x1p-46 * side_ + 0x1p-50 * magnitude;
     front_ = frontPlane();
     for (int f = 0; f < mesh.faceCount(); ++f) faces_.push_back(faceOf(f));

@@ -14,11 +14,11 @@ namespace xnewell {
 /// the program but the struct that holds a mesh: no plane, class, tolerance, projection, clipping or sample
 /// table.
 ///
-/// The rule. A number of the file may be off by u, half a unit of its last decimal (or by 3e-5/sqrt 3 of the
-/// longest side of the scene, if that is less), and by the rounding of doubles: a plane with the unit normal
-/// N may be off by r = u (|Nx| + |Ny| + |Nz|) + 2^-46 side + 2^-50 magnitude. The screen grid moves a point
-/// by half a step in x, y and z, and a step is 1/65536 pixel (in z times the least power of two for which
-/// 2^30 steps reach the nearest point). These two explain a difference of depths at a sample.
+/// The rule. A number of the file may be off by u, half a unit of its last decimal, and by the rounding of
+/// doubles: a plane with the unit normal N may be off by
+/// r = u (|Nx| + |Ny| + |Nz|) + 2^-46 side + 2^-50 magnitude. The screen grid moves a point by half a step in
+/// x, y and z, and a step is 1/65536 pixel (in z times the least power of two for which 2^30 steps reach the
+/// nearest point). These two explain a difference of depths at a sample.
 /// 1. No face may be nearer than the one shown by more than 1.5 times what both their roundings explain
 ///    there. A plane h away from the eye that moves by r changes 1 / d by up to r / (h - r) of it.
 /// 2. Of the faces that were made in one plane, the latest that covers the sample must be shown, unless a
