@@ -32,7 +32,7 @@ ColorTable::ColorTable(const TableSettings& settings)
     levels_[N - 1] = highest;
     for (int j = 0; j + 1 < N; ++j) {
       const double below = levels_[j], above = levels_[j + 1];
-      thresholds_[j] = settings.pick == Pick::Log ? std::sqrt(below * above) : (below + above) / 2;
+      thresholds_[j] = settings.pick == Pick::Log ? std::sqrt(below) * std::sqrt(above) : (below + above) / 2;
     }
   } else {
     const double offset = settings.kind == TableKind::Linear ? 1.0 : 0.0;
@@ -46,6 +46,10 @@ ColorTable::ColorTable(const TableSettings& settings)
   for (const double threshold : thresholds_)
     if (threshold < 1.0) ++bucket_[static_cast<int>(threshold * kBuckets) + 1];
   std::partial_sum(bucket_.begin(), bucket_.end(), bucket_.begin());
+}
+
+double ColorTable::Picked::nearest(double I) const {
+  return std::max(from, std::min(I, last ? to : std::nextafter(to, 0.0)));
 }
 
 int ColorTable::shade(double I) const {

@@ -47,7 +47,7 @@ inline constexpr int kMaxShades = 240;
 struct TableSettings {
   TableKind kind = TableKind::Linear;
   int shades = kMaxShades;  ///< N, 2..240
-  double I0 = 0.02;         ///< lowest intensity of `corrected`, 1e-6..0.5
+  double I0 = 0.02;         ///< lowest intensity of `corrected`, above 0 and below 1
   Pick pick = Pick::Log;
   glm::dvec3 hue{1, 0, 0};                  ///< each in [0, 1]; the largest is 1
   int bits = 16;                            ///< 16 stores round(65535 v), 8 stores 257 round(255 v)
@@ -103,9 +103,14 @@ class ColorTable {
   /// `from`, the last also every one above `to`.
   struct Picked {
     double from, to;
+    bool last = false;  ///< whether `to` picks it, too
+    [[nodiscard]] bool has(double I) const { return from <= I && (I < to || (last && I == to)); }
+    /// The nearest of them to I.
+    [[nodiscard]] double nearest(double I) const;
   };
   [[nodiscard]] Picked picked(int j) const {
-    return {j == 0 ? 0.0 : thresholds_[j - 1], j + 1 == shades() ? 1.0 : thresholds_[j]};
+    const bool last = j + 1 == shades();
+    return {j == 0 ? 0.0 : thresholds_[j - 1], last ? 1.0 : thresholds_[j], last};
   }
   /// The range of intensities that the shades cover.
   [[nodiscard]] double low() const { return settings_.low; }

@@ -51,6 +51,17 @@ class Loop {
   }
 
   [[nodiscard]] LoopValue value() const {
+    LoopValue value = asInLoop();
+    const SceneColors& colors = picture_.colors();
+    if (channelsOf(colors.plan()) == Channels::Rgb) return value;
+    // The loop may round an intensity that is as near as that to another shade.
+    const ColorTable& table = colors.tableOf(s_.mesh.material[face_.number]);
+    value.I = table.picked(value.cell - table.first()).nearest(value.I);
+    return value;
+  }
+
+ private:
+  [[nodiscard]] LoopValue asInLoop() const {
     if (evaluator_.evaluates(face_)) return evaluated();
     if (s_.settings.shading == Shading::Gouraud) return gouraud();
     if (s_.settings.shading == Shading::Environment) return environment();
@@ -60,7 +71,6 @@ class Loop {
     return {I, ramp_.cell(I)};
   }
 
- private:
   /// Phong shading and textures: one pixel of the loop.
   [[nodiscard]] LoopValue evaluated() const {
     LoopValue value;
@@ -100,16 +110,10 @@ class Loop {
           std::array{steps(t.vertex[0]), steps(t.vertex[1]), steps(t.vertex[2])}.data());
     }
     const std::uint32_t at = plane.at(i_, j_);
-    const bool table = ramp_.table != nullptr && !cells;
-    return {intensityAt(at * 0x1p-24, table),
-            table ? ramp_.table[at >> 16] : static_cast<std::uint8_t>(at >> 24)};
-  }
-  /// The intensity that has this value on the ramp.
-  [[nodiscard]] double intensityAt(double value, bool table) const {
-    if (table) return value / 256.0;
-    if (!(ramp_.high > ramp_.low)) return ramp_.low;
-    const double share = (value - ramp_.first - 0.5) / (ramp_.shades - 1);
-    return std::clamp(ramp_.low + share * (ramp_.high - ramp_.low), 0.0, 1.0);
+    const auto cell = static_cast<std::uint8_t>(at >> 24);
+    if (ramp_.table == nullptr) return {ramp_.intensity(at * 0x1p-24), cell};
+    if (cells) return {picture_.colors().intensityOf(cell), cell};
+    return {ramp_.intensity(at * 0x1p-24), ramp_.table->bySteps()(at)};
   }
 
   [[nodiscard]] LoopValue environment() const {

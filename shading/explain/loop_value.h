@@ -13,7 +13,7 @@ namespace xnewell {
 /// What the picture's own loops have at one sample. explain.h puts it beside the definitions.
 
 struct LoopValue {
-  double I = 0;                          ///< clamped to [0, 1], as precise as the loop
+  double I = 0;                          ///< in [0, 1], as precise as the loop; it picks the cell
   std::uint8_t cell = 0;                 ///< or the value of a channel, where the cells hold colours
   std::optional<glm::ivec2> place = {};  ///< environment: column and row of the map
   bool away = false;

@@ -128,7 +128,8 @@ void ScanlineRun::addQuantities(PixelExplainer& explain, int k) {
 std::uint8_t ScanlineRun::cellOf(double value) const {
   const double counts = std::clamp(value, kLeastValue, kLargestValue);
   const bool table = ramp_.table != nullptr && s_.settings.interpolated == Interpolated::Intensity;
-  return table ? ramp_.table[static_cast<int>(counts * 256.0)] : static_cast<std::uint8_t>(counts);
+  return table ? ramp_.table->bySteps()(static_cast<std::uint32_t>(counts * 0x1p24))
+               : static_cast<std::uint8_t>(counts);
 }
 
 ScanSample ScanlineRun::stepped(int part, int i, int j) const {

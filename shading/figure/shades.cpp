@@ -49,9 +49,8 @@ class Bands {
         off_ = std::max(off_, box.radius());
       };
       if (byTable)
-        for (int k = 0; k < 65536; ++k) {
-          if (k == 0 || ramp.table[k] != ramp.table[k - 1]) add(k / 256.0, ramp.table[k]);
-        }
+        ramp.table->bySteps().forEach(
+            [&](std::uint32_t steps, std::uint8_t cell) { add(steps * 0x1p-24, cell); });
       else
         for (int k = 0; k < ramp.shades; ++k) add(ramp.first + k, static_cast<std::uint8_t>(ramp.first + k));
       groups.front().start = 0;

@@ -4,11 +4,11 @@
 #include <emmintrin.h>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <utility>
 
 #include "geometry/view/small_triangle.h"
 #include "shading/fill/affine.h"
@@ -36,24 +36,40 @@ using SixteenBytes [[gnu::vector_size(16)]] = std::uint8_t;
 #endif
 }
 
-/// The uppermost byte of each number.
-[[nodiscard]] inline SixteenBytes topBytes(const Eight& left, const Eight& right) {
+/// Each number, or 32,767 if it is larger. The numbers are below 2^31.
+[[nodiscard]] inline EightWords packed(const Eight& eight) {
 #ifdef __SSE2__
-  const auto words = [](const Eight& eight) {
-    return _mm_packs_epi32(reinterpret_cast<__m128i>(eight.left >> 24),
-                           reinterpret_cast<__m128i>(eight.right >> 24));
-  };
-  return reinterpret_cast<SixteenBytes>(_mm_packus_epi16(words(left), words(right)));
+  return reinterpret_cast<EightWords>(
+      _mm_packs_epi32(reinterpret_cast<__m128i>(eight.left), reinterpret_cast<__m128i>(eight.right)));
+#else
+  EightWords words{};
+  for (int k = 0; k < 4; ++k) {
+    words[k] = static_cast<std::uint16_t>(std::min(eight.left[k], 32767U));
+    words[4 + k] = static_cast<std::uint16_t>(std::min(eight.right[k], 32767U));
+  }
+  return words;
+#endif
+}
+
+/// Each number, or 255 if it is larger. The numbers are below 2^15.
+[[nodiscard]] inline SixteenBytes packed(EightWords left, EightWords right) {
+#ifdef __SSE2__
+  return reinterpret_cast<SixteenBytes>(
+      _mm_packus_epi16(reinterpret_cast<__m128i>(left), reinterpret_cast<__m128i>(right)));
 #else
   SixteenBytes bytes{};
-  for (int k = 0; k < 4; ++k) {
-    bytes[k] = static_cast<std::uint8_t>(left.left[k] >> 24);
-    bytes[4 + k] = static_cast<std::uint8_t>(left.right[k] >> 24);
-    bytes[8 + k] = static_cast<std::uint8_t>(right.left[k] >> 24);
-    bytes[12 + k] = static_cast<std::uint8_t>(right.right[k] >> 24);
+  for (int k = 0; k < 8; ++k) {
+    bytes[k] = static_cast<std::uint8_t>(std::min<int>(left[k], 255));
+    bytes[8 + k] = static_cast<std::uint8_t>(std::min<int>(right[k], 255));
   }
   return bytes;
 #endif
+}
+
+/// The uppermost byte of each number.
+[[nodiscard]] inline SixteenBytes topBytes(const Eight& left, const Eight& right) {
+  const auto words = [](const Eight& eight) { return packed({eight.left >> 24, eight.right >> 24}); };
+  return packed(words(left), words(right));
 }
 
 /// The same for eight numbers. From here on, eight bytes in the order of memory are one number.
@@ -78,30 +94,6 @@ using SixteenBytes [[gnu::vector_size(16)]] = std::uint8_t;
   std::array<std::uint8_t, 8> bytes{};
   for (int k = 0; k < 8; ++k) bytes[k] = table[words[k]];
   return std::bit_cast<std::uint64_t>(bytes);
-}
-
-/// The bytes at eight addresses. Each must be followed by another byte: SSE2 gathers pairs of bytes and cuts
-/// off the second. (To store the bytes one by one takes longer, for a processor stores only one or two in a
-/// cycle.)
-[[nodiscard]] inline std::uint64_t gathered(const std::array<const std::uint8_t*, 8>& at) {
-#ifdef __SSE2__
-  __m128i words = _mm_setzero_si128();
-  const auto pair = [](const std::uint8_t* from) {
-    std::uint16_t word = 0;
-    std::memcpy(&word, from, sizeof word);
-    return word;
-  };
-  [&]<int... k>(std::integer_sequence<int, k...>) {
-    ((words = _mm_insert_epi16(words, pair(at[k]), k)), ...);
-  }
-  (std::make_integer_sequence<int, 8>{});
-  const __m128i bytes = _mm_and_si128(words, _mm_set1_epi16(0xFF));
-  return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_packus_epi16(bytes, bytes)));
-#else
-  std::array<std::uint8_t, 8> bytes{};
-  for (int k = 0; k < 8; ++k) bytes[k] = *at[k];
-  return std::bit_cast<std::uint64_t>(bytes);
-#endif
 }
 
 /// A value at eight pixels of a row, then at those of the row below, and so on.

@@ -98,12 +98,7 @@ template <class Real>
     std::memcpy(cells + whole * kSideBySide, &bytes, static_cast<std::size_t>(left));
   };
   if (ramp.table != nullptr) {
-    each([&] [[gnu::always_inline]] (const Real& I) {
-      const IntegersOf<Real> at = cut(value(I) * splat<Real>(256.0));
-      Bytes bytes;
-      for (int k = 0; k < kSideBySide; ++k) bytes[k] = ramp.table[at[k]];
-      return bytes;
-    });
+    each([&] [[gnu::always_inline]] (const Real& I) { return ramp.table->cells(I); });
   } else {
     each([&] [[gnu::always_inline]] (const Real& I) { return bytesOf(cut(value(I))); });
   }

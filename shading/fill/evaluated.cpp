@@ -13,8 +13,6 @@ namespace {
 /// As in AffineOver: in a triangle narrower than 2^-12 pixel the snap decides the gradient.
 constexpr double kSteepest = 0x1p12;
 
-constexpr int kMostForSingle = 1024;  ///< n
-
 XNEWELL_DISPATCHED
 void fillTerms(const TermsTriangle& t, std::uint8_t* cells, int i, int j, int count) {
   fillPixels<Lanes<float, 8>>(t, cells, i, j, count);

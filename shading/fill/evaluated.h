@@ -60,6 +60,9 @@ struct EvaluatedTriangle {
   std::int64_t* clamped = nullptr;  ///< counts samples whose sum is above 1
 };
 
+/// The largest specular exponent with which PhongTriangle is evaluated in single precision.
+inline constexpr int kMostForSingle = 1024;
+
 /// Phong's illumination, evaluated at every pixel.
 struct PhongTriangle : EvaluatedTriangle {
   const Lighting* lighting = nullptr;

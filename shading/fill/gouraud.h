@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "shading/fill/affine.h"
+#include "shading/fill/cells_by_key.h"
 #include "shading/fill/eight.h"
 #include "shading/fill/fill.h"
 
@@ -42,40 +43,48 @@ struct GouraudLinear {
   }
 };
 
-/// The upper 16 bits of the value are an index into a table of cells, for a ramp that is not linear: one that
-/// is corrected for the eye.
+/// The value's steps are the keys of the cells, for a table that is not even: one that is corrected for the
+/// eye.
 struct GouraudTable {
   AffineValue value;
-  const std::uint8_t* table;  ///< 65,536 cells; values are below 255.992, so the last one is never read
+  const CellsByKey* cellsOf;
 
   void span(std::uint8_t* cells, int i, int j, int count) const {
-    const std::uint8_t* const cellAt =
-        table;  // a copy: the compiler must assume that a store changes members
-    // The value is in the upper half of 64 bits, so one shift gives the index. Each sum waits for at most
-    // three others.
-    const std::uint64_t g = std::uint64_t{value.gx} << 32;
-    std::uint64_t v = std::uint64_t{value.at(i, j)} << 32;
-    if (count < 8) {
-      for (int k = 0; k < count; ++k, v += g) cells[k] = cellAt[v >> 48];
-      return;
-    }
-    const auto eight = [&](std::uint8_t* to) {
-      const std::uint64_t w = v + 4 * g;
-      const auto at = [&](std::uint64_t from, std::uint64_t k) { return cellAt + ((from + k * g) >> 48); };
-      const std::uint64_t bytes =
-          gathered({at(v, 0), at(v, 1), at(v, 2), at(v, 3), at(w, 0), at(w, 1), at(w, 2), at(w, 3)});
-      std::memcpy(to, &bytes, sizeof bytes);
+    const CellsByKey::Entries words{*cellsOf};
+    const std::uint32_t gx = value.gx, first = value.at(i, j);
+    const auto from = [&](std::uint32_t v) {
+      Eight keys = eightFrom(0, gx);  // the same for each span
+      keys += v;
+      return keys;
     };
-    int k = 0;
-    for (; k + 8 < count; k += 8, v += 8 * g) eight(cells + k);
-    // The last eight cells end with the span.
-    v += g * static_cast<std::uint64_t>(count - 8 - k);
-    eight(cells + count - 8);
+    const auto eight = [&](std::uint32_t v, const Eight& keys) {
+      const EightWords here = words(v, gx, keys);
+      return packed(here, here);
+    };
+    if (count < 8) {
+      storeSpan(cells, eight(first, from(first)), count);
+    } else {
+      const auto store = [&](std::uint8_t* to, SixteenBytes bytes) {
+        std::memcpy(to, &bytes, sizeof bytes / 2);
+      };
+      std::uint32_t v = first;
+      Eight keys = from(v);
+      for (int k = 0; k + 8 < count; k += 8, v += 8 * gx, keys += 8 * gx) store(cells + k, eight(v, keys));
+      // The last eight cells end with the span.
+      const std::uint32_t last = first + static_cast<std::uint32_t>(count - 8) * gx;
+      store(cells + count - 8, eight(last, from(last)));
+    }
+    cellsOf->search(cells, count, first, gx);
   }
 
   [[nodiscard]] auto rowsOfEight(int i, int j) const {
-    return [rows = EightOfRows{value, i, j}, cells = table](std::uint64_t) mutable {
-      return lookUp(cells, upperHalves(rows.next()));
+    return [rows = EightOfRows{value, i, j}, words = CellsByKey::Entries{*cellsOf}, v = value.at(i, j),
+            gx = value.gx, by = cellsOf](std::uint64_t) mutable {
+      const EightWords here = words(v, gx, rows.next());
+      auto cells = std::bit_cast<std::array<std::uint8_t, 16>>(packed(here, here));
+      by->search(cells.data(), 8, v, gx);
+      v += rows.gy;
+      return std::bit_cast<std::array<std::uint64_t, 2>>(cells)[0];
     };
   }
 };

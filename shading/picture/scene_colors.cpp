@@ -151,9 +151,9 @@ void SceneColors::make(const Surfaces& surfaces, ColorPlan plan) {
     for (const TableSettings& table : planHues(needs, settings.table)) tables_.emplace_back(table);
   }
 
-  lookUps_.assign(tables_.size(), {});
+  cells_.clear();
   if (!isEven(settings.table.kind) && channelsOf(plan) != Channels::Rgb)
-    std::ranges::transform(tables_, lookUps_.begin(), cellsBy16Bits);
+    cells_ = {tables_.begin(), tables_.end()};
 }
 
 double SceneColors::intensityOf(int cell) const {
@@ -169,9 +169,10 @@ std::vector<Ramp> SceneColors::ramps() const {
     const ColorTable& table = tables_[t];
     if (channelsOf(plan_) == Channels::Rgb)
       ramps.push_back(kChannelRamp);
+    else if (isEven(table.settings().kind))
+      ramps.push_back({table.first(), table.shades(), table.low(), table.high()});
     else
-      ramps.push_back({table.first(), table.shades(), table.low(), table.high(),
-                       lookUps_[t].empty() ? nullptr : lookUps_[t].data()});
+      (ramps.emplace_back(kTableRamp)).table = &cells_[t];
   }
   return ramps;
 }

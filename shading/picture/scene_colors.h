@@ -45,9 +45,8 @@ class SceneColors {
  private:
   ColorPlan plan_ = ColorPlan::OneHue;
   std::vector<ColorTable> tables_;
-  std::vector<int> tableOf_;  ///< by material; the first is for faces without one
-  /// Ramp::table for each of tables_; empty if it is linear
-  std::vector<std::vector<std::uint8_t>> lookUps_;
+  std::vector<int> tableOf_;       ///< by material; the first is for faces without one
+  std::vector<TableCells> cells_;  ///< Ramp::table for each of tables_; none if these are even
 };
 
 }  // namespace xnewell

@@ -26,17 +26,15 @@ SurfacePainter::SurfacePainter(const Surfaces& surfaces, int channel, std::vecto
   interpolateNormals();
   const std::vector<Environment>& environments = s_.shading.environments(channel_);
   for (std::size_t m = 0; m < environments.size(); ++m) {
-    const Ramp& ramp = ramps_[m];
-    const auto mark =
-        // The mark is a cell outside the ramp.
-        static_cast<std::uint8_t>(ramp.first > 0 ? ramp.first - 1 : ramp.shades);
+    const CellOnRamp cellOf{ramps_[m]};
+    const std::uint8_t mark = 0;  // no ramp has this cell
     const auto cellsOf = [&](const std::vector<float>& intensities) {
       std::vector<std::uint8_t> result(intensities.size());
       std::ranges::transform(intensities, result.begin(),
-                             [&](float I) { return I > 1.0F ? mark : ramp.cell(I); });
+                             [&](float I) { return I > 1.0F ? mark : cellOf(I); });
       return result;
     };
-    maps_.push_back({cellsOf(environments[m].front), cellsOf(environments[m].away), mark, ramp.cell(1.0)});
+    maps_.push_back({cellsOf(environments[m].front), cellsOf(environments[m].away), mark, cellOf(1.0)});
   }
 }
 
@@ -93,7 +91,7 @@ void SurfacePainter::gouraud(const SnappedFace& face, const Ramp& ramp, Fill&& f
   const auto shaded = [&] [[gnu::always_inline]] (const glm::ivec3* p, int count, const AffineValue& plane,
                                                   auto&& wrap) {
     if (ramp.table != nullptr && s_.settings.interpolated == Interpolated::Intensity)
-      fill(p, count, wrap(GouraudTable{plane, ramp.table}));
+      fill(p, count, wrap(GouraudTable{plane, &ramp.table->bySteps()}));
     else
       fill(p, count, wrap(GouraudLinear{plane}));
   };

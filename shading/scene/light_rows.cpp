@@ -135,6 +135,7 @@ std::vector<Setting> lightRows() {
        .control = 'L',
        .section = Section::Light,
        .is = "take L at the scene's centre everywhere: the light is far away",
+       .more = "A spot's share by its cone is still that of each place.",
        .role = Role::shortCut(0),
        .field = holds([](auto& s) -> auto& { return s.light.constantL; }),
        .need = kInPlace,

@@ -71,7 +71,14 @@ const std::vector<std::uint8_t>& table() {
 }
 FlatCell flat(const Values& at) { return {static_cast<std::uint8_t>((*at.u)[0])}; }
 GouraudLinear gouraudLinear(const Values& at) { return {affineOver(at.p, *at.u)}; }
-GouraudTable gouraudTable(const Values& at) { return {affineOver(at.p, *at.u), table().data()}; }
+GouraudTable gouraudTable(const Values& at) {
+  static const CellsByKey cells = [] {
+    std::vector<std::uint32_t> begins;  // as those of a table that is corrected for the eye
+    for (int j = 1; j < 240; ++j) begins.push_back(static_cast<std::uint32_t>(std::exp2(27 + j / 48.0)));
+    return CellsByKey{11, begins};
+  }();
+  return {affineOver(at.p, *at.u), &cells};
+}
 EnvironmentMap environmentMap(const Values& at) {
   const AffineOver over{at.p};
   return {over(*at.u), over(*at.v), table().data()};

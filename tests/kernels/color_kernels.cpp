@@ -53,8 +53,8 @@ struct ExactTable {
 };
 
 std::vector<Coordinate> tableInput() {
-  return {integers(0, 2),     integers(0, 1), integers(2, kMaxShades),
-          doubles(1e-6, 0.5), doubles(0, 1),  doubles(0, 1)};
+  return {integers(0, 2),         integers(0, 1), integers(2, kMaxShades),
+          doubles(1e-300, 0.999), doubles(0, 1),  doubles(0, 1)};
 }
 
 /// The ends of the range in order, and at least 2^-20 apart: nearer to each other, the thresholds are too
@@ -70,7 +70,7 @@ Numbers randomTable(Random& random) {
   return {static_cast<double>(random.below(3)),
           static_cast<double>(random.below(2)),
           static_cast<double>(random.integer(2, kMaxShades)),
-          random.oneIn(2) ? 0.02 : random.power(-19.9, -1),
+          random.oneIn(2) ? 0.02 : random.power(-996, -0.0015),
           whole ? 0.0 : random.uniform(0, 0.5),
           whole ? 1.0 : random.uniform(0.5, 1)};
 }
@@ -90,7 +90,7 @@ Kernel ratioKernel() {
   return {.name = "ratio of shades",
           .claim = "2^-51 of it",
           .header = "shading/color/color_table.h",
-          .input = {doubles(1e-6, 1), integers(1, kMaxShades - 1)},
+          .input = {doubles(1e-300, 1), integers(1, kMaxShades - 1)},
           .run = [](const Numbers& in) { return Numbers{ratioOfShades(in[0], static_cast<int>(in[1]))}; },
           .judge =
               [](const Numbers& in, const Numbers& out) {
@@ -155,30 +155,44 @@ Kernel shadeKernel() {
   return kernel;
 }
 
-Kernel tableBy16BitsKernel() {
-  Kernel kernel{
-      .name = "colour table by 16 bits",
-      .claim = "as the shade of the middle of 1/65536",
-      .header = "shading/fill/ramp.h",
-      .input = tableInput(),
-      .prepare = orderedTable,
-      .run =
-          [](const Numbers& in) {
-            const ColorTable table{ExactTable{in}.settings};
-            const std::vector<std::uint8_t> cells = cellsBy16Bits(table);
-            return Numbers{static_cast<double>(cells[static_cast<std::size_t>(in[6])] - table.first())};
-          },
-      .judge =
-          [](const Numbers& in, const Numbers& out) {
-            return ExactTable{in}.missed((big(in[6]) + 0.5) / 65536, static_cast<int>(out[0]));
-          },
-      .hard = {[](Random& random) {
-        Numbers in = randomTable(random);
-        in.push_back(std::floor(nearThreshold(in, random) * 65536));
-        return in;
-      }},
-      .effort = 0.2};
-  kernel.input.push_back(integers(0, 65535));
+/// The intensity is a float, or a value on kTableRamp in steps.
+Kernel tableCellsKernel() {
+  Kernel kernel{.name = "colour table: cell of a float or of steps",
+                .claim = "as the shade of a double",
+                .header = "shading/fill/ramp.h",
+                .input = tableInput(),
+                .prepare =
+                    [](Numbers in) {
+                      in[0] = static_cast<double>(TableKind::Corrected);
+                      in[6] =
+                          in[7] == 0 ? static_cast<float>(in[6]) : std::floor((0.5 + 255 * in[6]) * 0x1p24);
+                      return orderedTable(in);
+                    },
+                .run =
+                    [](const Numbers& in) {
+                      const ColorTable table{ExactTable{in}.settings};
+                      const TableCells cells{table};
+                      const auto I = static_cast<float>(in[6]);
+                      const int cell = in[7] == 0 ? cells.cells(Lanes<float, 4>{I, I, I, I})[0]
+                                                  : cells.bySteps()(static_cast<std::uint32_t>(in[6]));
+                      return Numbers{static_cast<double>(cell - table.first())};
+                    },
+                .judge =
+                    [](const Numbers& in, const Numbers& out) {
+                      const Big I = in[7] == 0 ? big(in[6]) : (big(in[6]) / 0x1p24 - Big{0.5}) / 255;
+                      if (I >= 1) return out[0] == in[2] - 1 ? 0.0 : kWrong;
+                      return ExactTable{in}.missed(I, static_cast<int>(out[0]));
+                    },
+                .hard = {[](Random& random) {
+                  Numbers in = randomTable(random);
+                  in[0] = static_cast<double>(TableKind::Corrected);
+                  in.push_back(nearThreshold(in, random));
+                  in.push_back(static_cast<double>(random.below(2)));
+                  return in;
+                }},
+                .effort = 0.2};
+  kernel.input.push_back(doubles(0, 1));
+  kernel.input.push_back(integers(0, 1));
   return kernel;
 }
 
@@ -241,7 +255,7 @@ void addColorKernels(std::vector<Kernel>& kernels) {
   kernels.push_back(ratioKernel());
   kernels.push_back(levelKernel());
   kernels.push_back(shadeKernel());
-  kernels.push_back(tableBy16BitsKernel());
+  kernels.push_back(tableCellsKernel());
   kernels.push_back(storedKernel());
   kernels.push_back(singleRampKernel());
 }

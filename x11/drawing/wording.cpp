@@ -43,6 +43,13 @@ std::string fitted(double value, int decimals, int most) {
   return fixed(value / std::pow(10.0, exponent), 0) + "e" + std::to_string(exponent);
 }
 
+std::string significant(double value, int digits) {
+  std::array<char, 40> text;
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+  return {text.data(), end};
+}
+
 std::string msText(double ms) {
   const int decimals = ms > 0 && ms < 1 ? std::min(6, 2 - static_cast<int>(std::floor(std::log10(ms)))) : 2;
   return fixed(ms, decimals);

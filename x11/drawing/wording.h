@@ -19,6 +19,8 @@ inline constexpr std::string_view kNothingShows = "Nothing of the scene is in th
 /// A number with this many decimals, or with fewer where it would be longer than `most` characters; in powers
 /// of ten if even that does not fit, and "-" if it is not finite.
 [[nodiscard]] std::string fitted(double value, int decimals, int most);
+/// A number with so many significant digits, or fewer if they are enough: 1.25e-300. 17 tell every number.
+[[nodiscard]] std::string significant(double value, int digits);
 /// Milliseconds: with two decimals, and below 1 with three significant digits: 12.34, 0.0123.
 [[nodiscard]] std::string msText(double ms);
 /// 12,345.

@@ -383,8 +383,8 @@ void addVectors(Section& s, const PixelStory& story, const ExplainedEquation& at
       s.say(
           "f" + which + " = " + number(light.fatt) + " by distance x " + number(light.spot) + " by the cone",
           2);
-    if (light.coneL)
-      s.say("the cone is asked at this place: L there" + components(*light.coneL) + "; L" + which +
+    if (light.ownL)
+      s.say("the cone is asked at this place: L there" + components(*light.ownL) + "; L" + which +
                 " is that of the scene's centre",
             3);
   }
@@ -511,12 +511,15 @@ void addShade(Section& s, const Story& story, const Explanation& e, const PixelS
   const ColorTable::Picked picked = table.picked(shade);
   const Rgb16 color = table.color(shade),
               stored = sight.palette ? (*sight.palette)[static_cast<std::size_t>(e.value[0])] : color;
-  int decimals = kD;  // as many as it takes to tell I from the borders
-  const auto alike = [&](double border) {
-    return e.intensity != border && fixed(e.intensity, decimals) == fixed(border, decimals);
+  // At a border the rounding of the loop decides.
+  const bool own = picked.has(e.intensity);
+  const double I = own ? e.intensity : e.inLoop;
+  constexpr int kMostDecimals = 12;
+  int decimals = kD;  // as many as it takes to tell I from the border above
+  const auto written = [&](double v) {
+    return decimals <= kMostDecimals ? fixed(v, decimals) : significant(v, decimals - kMostDecimals);
   };
-  while (decimals < 12 && (alike(picked.from) || alike(picked.to))) ++decimals;
-  if (alike(picked.from) || alike(picked.to)) decimals = kD;  // rounding alone tells them apart
+  while (I < picked.to && written(I) == written(picked.to)) ++decimals;
   if (e.luminance)
     s.say("one hue: the luminance 0.30 R + 0.59 G + 0.11 B of " + fixed(e.I[0], 2) + ", " + fixed(e.I[1], 2) +
               ", " + fixed(e.I[2], 2),
@@ -526,15 +529,15 @@ void addShade(Section& s, const Story& story, const Explanation& e, const PixelS
       .tells = kCell});
   const auto hidden = [](int v) { return asked(kCell, std::to_string(v)); };
   s.fact("shade", shade,
-         "I " + asked(kI, fixed(e.intensity, decimals)) + " picks shade " + hidden(shade) + " of " +
-             std::to_string(table.shades()) + " (" + std::string{kind.name} + "), cell " +
-             std::to_string(table.first()) + " + " + hidden(shade) + " = " + hidden(e.value[0]),
+         (own ? "I " : "in the picture's loop, I ") + asked(kI, written(I)) + " picks shade " +
+             hidden(shade) + " of " + std::to_string(table.shades()) + " (" + std::string{kind.name} +
+             "), cell " + std::to_string(table.first()) + " + " + hidden(shade) + " = " + hidden(e.value[0]),
          9, kI);
   s.fact("table", Object{{"name", kind.name}, {"first", table.first()}, {"shades", table.shades()}});
+  s.fact("in_loop", e.inLoop);
   s.fact("interval", List{picked.from, picked.to},
-         "that shade is for " + fixed(picked.from, decimals) +
-             (shade + 1 == table.shades() ? " <= I <= " : " <= I < ") + fixed(picked.to, decimals) +
-             "; it holds " + listed(stored, 0),
+         "that shade is for " + written(picked.from) + (picked.last ? " <= I <= " : " <= I < ") +
+             written(picked.to) + "; it holds " + listed(stored, 0),
          7, kCell);
   s.fact("color", List{color.r, color.g, color.b}, "of 65535, as " + std::string{kind.holds}, 1, kCell);
   if (sight.shownBits > 0)
@@ -600,7 +603,7 @@ Section dataOf(const PixelStory& story) {
       Object told{{"L", light.L},           {"R", light.R},         {"N.L", light.NdotL},
                   {"cosine", light.cosine}, {"power", light.power}, {"fatt", light.fatt},
                   {"spot", light.spot}};
-      if (light.coneL) told.emplace_back("L_of_cone", *light.coneL);
+      if (light.ownL) told.emplace_back("L_for_cone", *light.ownL);
       told.insert(told.end(), {{"Ip", channels(light.Ip)},
                                {"diffuse", channels(light.diffuse)},
                                {"specular", channels(light.specular)}});
@@ -653,7 +656,7 @@ Page ofPixel(const Story& story, const PixelSight& sight) {
            .sections = {dataOf(*story), historyPart(*story, chosen)},
            .order =
                "pixel size verdict cell explained history not_painted mistake shown shading I intensity "
-               "terms vertices equations value depth texel place shade table interval color"};
+               "terms vertices equations value depth texel place shade table in_loop interval color"};
   if (h.painted.empty()) {
     all.under = {"No polygon covers this sample.", "The background is cell " + cell + "."};
     all.sections.back().title.clear();

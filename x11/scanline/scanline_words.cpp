@@ -283,10 +283,9 @@ std::string valueInWords(const ScanlineRun& run) {
   const Ramp& ramp = run.ramp();
   if (run.picture().settings().interpolated == Interpolated::Cell)
     return "the value is a cell + 1/2 at the corners";
-  if (ramp.table != nullptr) return "value = 256 I; the corrected table has its cell";
   if (ramp.low != 0.0 || ramp.high != 1.0) return "the whole part of the value is the cell";
-  return "value = " + fixed(ramp.first + 0.5, 1) + " + " + std::to_string(ramp.shades - 1) +
-         " I; its whole part is the cell";
+  return "value = " + fixed(ramp.first + 0.5, 1) + " + " + std::to_string(ramp.shades - 1) + " I; " +
+         (ramp.table != nullptr ? "the corrected table has its cell" : "its whole part is the cell");
 }
 
 std::string methodInWords(const ScanlineRun& run) {

@@ -64,13 +64,17 @@ std::string cubeText(int k) {
 }  // namespace
 
 std::string pickedText(const ColorTable& table, int j) {
-  const auto [from, to] = table.picked(j);
+  const ColorTable::Picked picked = table.picked(j);
+  const double from = picked.from, to = picked.to;
   if (from >= to) return "no I";
+  constexpr int kMostDecimals = 12;
   int decimals = 4;
   double unit = 1e-4;
-  for (; to - from < 10.0 * unit; ++decimals) unit /= 10.0;
-  const auto up = [&](double I) { return fixed(std::ceil(I / unit) * unit, decimals); };
-  return (j > 0 ? up(from) + " <= " : "") + "I" + (j + 1 < table.shades() ? " < " + up(to) : "");
+  for (; to - from < 10.0 * unit && decimals <= kMostDecimals; ++decimals) unit /= 10.0;
+  const auto up = [&](double I) {
+    return decimals <= kMostDecimals ? fixed(std::ceil(I / unit) * unit, decimals) : significant(I, 17);
+  };
+  return (j > 0 ? up(from) + " <= " : "") + "I" + (picked.last ? "" : " < " + up(to));
 }
 
 std::vector<CellFact> factsOf(int cell, const Picture& picture, const Palette& palette, const CellPlan& plan,

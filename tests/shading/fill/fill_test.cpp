@@ -143,12 +143,18 @@ TEST(Fill, GouraudLinearIsTheWholePartOfTheValue) {
   });
 }
 
-TEST(Fill, GouraudTableIsLookedUpByTheUpper16Bits) {
-  const std::vector<std::uint8_t> table = randomTable(1);
+// The cells begin anywhere: evenly, and many of them at the same or at neighbouring values.
+TEST(Fill, GouraudTableIsFoundByTheValue) {
+  std::vector<std::uint32_t> begins;
+  for (std::uint32_t j = 1; j < 200; ++j) begins.push_back(j * 0x0123'4567);
+  for (std::uint32_t j = 0; j < 40; ++j) begins.push_back(0xF000'0000 + j / 3);
+  const CellsByKey cellsOf{10, begins};
   expectShader([&](Triangles& random, const Triangle& p) {
     const AffineValue value = affineOver(p.data(), random.values());
-    return std::pair{GouraudTable{value, table.data()},
-                     [&table, value](int i, int j) { return table[value.at(i, j) >> 16]; }};
+    return std::pair{GouraudTable{value, &cellsOf}, [&begins, value](int i, int j) {
+                       const auto begun = [&](std::uint32_t begin) { return begin <= value.at(i, j); };
+                       return static_cast<std::uint8_t>(10 + std::ranges::count_if(begins, begun));
+                     }};
   });
 }
 

@@ -30,28 +30,28 @@ Scene evenCube(bool textured) {
   return scene;
 }
 
-/// The rule, said once more. Linear tables: the nearest shade. `corrected`: the shade for the middle of those
-/// intensities that have the same sixteen bits, of which the first and the last two are not used.
+/// The rule, said once more: the nearest of the intensities that the shades stand for, half way the brighter.
 int cellByTheRule(const ColorTable& table, double I) {
   if (table.settings().kind != TableKind::Corrected)
     return static_cast<int>(table.first() + 0.5 + (table.shades() - 1) * I);
-  return table.cell((std::clamp(std::floor(65536 * I), 1.0, 65533.0) + 0.5) / 65536);
+  const long double x = I;
+  int shade = 0;
+  for (; shade + 1 < table.shades(); ++shade) {
+    const long double below = table.level(shade), above = table.level(shade + 1);
+    if (table.settings().pick == Pick::Log ? x * x < below * above : x - below < above - x) break;
+  }
+  return table.first() + shade;
 }
 
 /// Intensities close to where one cell ends and the next begins: by 2^-14 of a cell where single precision
-/// rounds the value, and where sixteen bits are looked up as close as single precision can be. There, too,
-/// those at which the index would be another if it were a share of 65,535.
+/// rounds the value, and for `corrected` as close as single precision and the steps of a value allow.
 std::vector<double> closeToEnds(const ColorTable& table) {
   std::vector<double> I{0.0, 1.0};
   for (int j = 0; j + 1 < table.shades(); ++j) {
     const double end = table.picked(j).to;
-    if (table.settings().kind != TableKind::Corrected) {
-      const double apart = 0x1p-14 / (table.shades() - 1);
-      I.insert(I.end(), {end - apart, end + apart});
-    } else {
-      const double k = std::ceil(65536 * end - 0.5);
-      I.insert(I.end(), {k / 65536, k / 65536 - 0x1p-24, (k + 0.5) / 65536});
-    }
+    const double apart = table.settings().kind != TableKind::Corrected ? 0x1p-14 / (table.shades() - 1)
+                                                                       : 0x1p-22 * end + 0x1p-31;
+    I.insert(I.end(), {end - apart, end + apart});
   }
   return I;
 }
@@ -75,16 +75,22 @@ TEST(CellRule, IsOneForEveryFiller) {
                                {"flat, textured", Shading::Flat, {}, true},
                                {"Gouraud, textured", Shading::Gouraud, {}, true},
                                {"Phong, textured", Shading::Phong, {}, true}})
-    for (const TableRow& row : kTables)
+    for (const TableSettings& of : {TableSettings{.kind = TableKind::Brief},
+                                    {.kind = TableKind::Linear},
+                                    {.kind = TableKind::Corrected},
+                                    {.kind = TableKind::Corrected, .I0 = 1e-6}})
       for (const int shades : {2, 61, 240}) {
         if (kSanitized && shades != 61) continue;
-        SCOPED_TRACE(std::string{filler.name} + ' ' + std::string{row.name} + ' ' + std::to_string(shades));
+        SCOPED_TRACE(std::string{filler.name} + ' ' +
+                     std::string{kTables[static_cast<std::size_t>(of.kind)].name} + ' ' +
+                     std::to_string(shades) + ' ' + std::to_string(of.I0));
         PictureCache pictures{evenCube(filler.textured)};
         PictureSettings s;
         s.width = 32, s.height = 24;
         s.shading = filler.shading, s.polygons = filler.polygons;
         s.order = Order::ZMean;
-        s.table = {.kind = row.id, .shades = shades};
+        s.table = of;
+        s.table.shades = shades;
         const ColorTable table{s.table};
         int samples = 0;
         for (const double I : closeToEnds(table)) {
@@ -101,17 +107,42 @@ TEST(CellRule, IsOneForEveryFiller) {
       }
 }
 
-// The table by sixteen bits is the colour table's own choice at the middle of each step.
-TEST(CellRule, TablesHoldTheCellsOfTheMiddles) {
-  for (const TableRow& row : kTables)
-    for (const double I0 : {1e-6, 0.02, 0.5})
-      for (const int shades : {2, 64, 240})
-        for (const PickRow& pick : kPicks) {
-          const ColorTable table{{.kind = row.id, .shades = shades, .I0 = I0, .pick = pick.id}};
-          const std::vector<std::uint8_t> cells = cellsBy16Bits(table);
-          ASSERT_EQ(cells.size(), 65536u);
-          for (int k = 0; k < 65536; ++k) ASSERT_EQ(cells[k], table.cell((k + 0.5) / 65536)) << k;
+// Next to each threshold of a table, and on it, TableCells finds what the rule says, whatever number stands
+// for the intensity. Only so close to the threshold as color_table.h bounds its error may it find the other.
+TEST(CellRule, TableCellsAreExact) {
+  int checked = 0;
+  for (const double I0 : {1e-300, 1e-40, 1e-6, 1e-3, 0.02, 0.3, 0.999})
+    for (const int shades : {2, 64, 240})
+      for (const PickRow& pick : kPicks) {
+        SCOPED_TRACE(std::to_string(I0) + ' ' + std::to_string(shades) + ' ' + std::string{pick.name});
+        const ColorTable table{{.kind = TableKind::Corrected, .shades = shades, .I0 = I0, .pick = pick.id}};
+        const TableCells cells{table};
+        const auto expectCell = [&](double I, int cell) {
+          ++checked;
+          if (cell == cellByTheRule(table, I)) return;
+          const double end = table.picked(std::min(cell, cellByTheRule(table, I)) - table.first()).to;
+          EXPECT_LE(std::abs(I - end), (5 * shades + 9) * 0x1p-53 * end) << I << ' ' << cell;
+        };
+        const auto floats = [&](float I) { return cells.cells(Lanes<float, 4>{I, I, I, I})[2]; };
+        for (const double I : {0.0, 1.0, 2.0}) {
+          EXPECT_EQ(cells.cell(I), cellByTheRule(table, I));
+          EXPECT_EQ(floats(static_cast<float>(I)), cellByTheRule(table, I));
         }
+        EXPECT_EQ(floats(NAN), table.first());
+        EXPECT_EQ(cells.cell(NAN), table.first());
+        for (int j = 0; j + 1 < shades; ++j) {
+          const double end = table.picked(j).to;
+          for (double I : {std::nextafter(end, 0.0), end, std::nextafter(end, 2.0)})
+            expectCell(I, cells.cell(I));
+          const auto near = static_cast<float>(end);
+          for (float I : {std::nextafter(near, 0.0F), near, std::nextafter(near, 2.0F)})
+            expectCell(I, floats(I));
+          const auto steps = static_cast<std::uint32_t>((0.5 + 255 * end) * 0x1p24);
+          for (const std::uint32_t v : {steps - 1, steps, steps + 1, steps + 2})
+            expectCell(std::max(0.0, (v * 0x1p-24 - 0.5) / 255), cells.bySteps()(v));
+        }
+      }
+  EXPECT_GT(checked, 40'000);
 }
 
 }  // namespace xnewell::THIS_FILE

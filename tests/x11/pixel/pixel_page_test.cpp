@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
 
 #include "shading/picture/picture_cache.h"
 #include "x11/pixel/pixel_bench.h"
@@ -55,6 +59,63 @@ TEST(PixelPage, AScreenShowsTheHighBits) {
   EXPECT_NE(said({52685, 255, 256}, 16).find("all 16 bits: 52685, 255, 256\n"), std::string::npos);
 }
 
+// The written intensity lies in the written interval, by the decimals that are written, and so does the
+// JSON's. The interval's ends are where the neighbours among the stored levels are as near. For every table,
+// with I0 from 1e-300 to 0.999, and every method: the loops round differently.
+TEST(PixelPage, TheIntervalHasTheIntensity) {
+  struct Way {
+    Shading shading;
+    Interpolated interpolated = Interpolated::Intensity;
+  };
+  PictureCache pictures{readScene("teapot", 4)};
+  PictureSettings settings = pictures.scene().settings;
+  settings.camera = pictures.scene().camera;
+  settings.width = 40, settings.height = 30;
+  int checked = 0;
+  for (const TableRow& row : kTables)
+    for (const double I0 : {1e-300, 1e-9, 1e-6, 1e-4, 0.02, 0.3, 0.999})
+      for (const auto& [shades, pick] : {std::pair{240, Pick::Log}, std::pair{64, Pick::Search}})
+        for (const Way& way :
+             {Way{Shading::Flat}, Way{Shading::Gouraud}, Way{Shading::Gouraud, Interpolated::Cell},
+              Way{Shading::Phong}, Way{Shading::Depth}, Way{Shading::Environment}})
+          for (const double light : {0.7, 1e-5}) {
+            if (isEven(row.id) && I0 != 0.02) continue;
+            settings.table = {.kind = row.id, .shades = shades, .I0 = I0, .pick = pick};
+            settings.shading = way.shading, settings.interpolated = way.interpolated;
+            settings.light.Ia = light / 5, settings.light.Ip = light;
+            const Picture picture = pictures.make(settings, 0);
+            for (int j = 1; j < 30; j += 4)
+              for (int i = 1; i < 40; i += 3) {
+                const auto story = std::make_shared<const PixelStory>(picture, i, j);
+                if (story->shown() == nullptr) continue;
+                const std::string page = page::asText(page::ofPixel(story, {}));
+                const std::size_t begin = page.rfind("I ", page.find(" picks shade "));
+                ASSERT_NE(begin, std::string::npos);
+                const std::string text = page.substr(begin);
+                SCOPED_TRACE(text);
+                double I = 0, from = 0, to = 0;
+                int shade = 0;
+                std::array<char, 3> below{};
+                ASSERT_EQ(std::sscanf(text.c_str(), "I %lf picks shade %d", &I, &shade), 2);
+                ASSERT_EQ(std::sscanf(text.c_str() + text.find("that shade"),
+                                      "that shade is for %lf <= I %2s %lf", &from, below.data(), &to),
+                          3);
+                EXPECT_TRUE(from <= I && (I < to || (shade == shades - 1 && I <= to)));
+                const ColorTable& table = picture.table();
+                const auto between = [&](int k) -> long double {
+                  const long double a = table.intensity(k), b = table.intensity(k + 1);
+                  return row.id == TableKind::Corrected && pick == Pick::Log ? std::sqrt(a * b) : (a + b) / 2;
+                };
+                const long double least = shade > 0 ? between(shade - 1) : 0,
+                                  most = shade + 1 < shades ? between(shade) : 1;
+                const double inLoop = story->shown()->inLoop;
+                EXPECT_TRUE(least * (1 - 0x1p-42L) <= inLoop && inLoop <= most * (1 + 0x1p-42L)) << inLoop;
+                ++checked;
+              }
+          }
+  EXPECT_GT(checked, 10'000);
+}
+
 // With a constant L, the share of a spot can be computed from the L that is said for the cone alone.
 TEST(PixelPage, SaysWhichLTheConeHas) {
   PictureCache pictures{readScene("spotlight")};
@@ -74,7 +135,7 @@ TEST(PixelPage, SaysWhichLTheConeHas) {
       const auto light = json["equations"][0]["lights"][0];
       double dot = 0, length = 0;
       for (int c = 0; c < 3; ++c)
-        dot -= light["L_of_cone"][c].get<double>() * spot.direction[c],
+        dot -= light["L_for_cone"][c].get<double>() * spot.direction[c],
             length += spot.direction[c] * spot.direction[c];
       const double a = dot / std::sqrt(length), inner = cosineOf(spot.inner), outer = cosineOf(spot.outer);
       const double share = a >= inner   ? 1
