@@ -211,20 +211,24 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
     vrcBox.high -= glm::dvec3{fit.centre, 0.0};
   }
   const double away = fit.distance == 0.0 ? side : fit.distance;  // a point is seen from anywhere
-  const double D = s.eye && !s.prp ? (rotation * (*s.eye - view.vrp)).z
-                                   : std::max(away, vrcBox.high.z + side * kNearFraction * 2);
-  view.prp = s.prp ? *s.prp : glm::dvec3{lean * D, D};
+  const double D = s.prp   ? s.prp->z
+                   : s.eye ? (rotation * (*s.eye - view.vrp)).z
+                           : std::max(away, vrcBox.high.z + side * kNearFraction * 2);
   if (s.window) {
     view.windowMin = {s.window->x, s.window->z};
     view.windowMax = {s.window->y, s.window->w};
   } else {
-    const double halfHeight =
-        parallel ? s.height.value_or(fit.height / (1.0 - kMargin)) / 2.0 : view.prp.z * tanV;
+    const double halfHeight = parallel ? s.height.value_or(fit.height / (1.0 - kMargin)) / 2.0 : D * tanV;
     const glm::dvec2 half =
         halfHeight > 0.0 ? halfHeight * glm::dvec2{aspect, 1.0} : side * glm::dvec2{aspect, 1.0};
     view.windowMin = -half;
     view.windowMax = half;
   }
+  // The projectors run from PRP to the window's middle. Where the user says how they lean, or neither PRP nor
+  // the eye, PRP is where they lean so.
+  view.prp = s.prp.value_or(glm::dvec3{0, 0, D});
+  if (s.oblique || (parallel && !s.prp && !s.eye))
+    view.prp = {(view.windowMin + view.windowMax) / 2.0 + lean * D, D};
 
   // The clipping planes: as given, otherwise around the scene, with the front plane in front of the eye.
   const double gap = side * kNearFraction;
@@ -245,7 +249,7 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
   }
   view.back = s.back ? *s.back : std::min(sceneBack, view.front - gap);
 
-  const glm::dvec3 eyeInVrc = s.prp ? *s.prp : glm::dvec3{0, 0, D};
+  const glm::dvec3 eyeInVrc = s.prp ? view.prp : glm::dvec3{0, 0, D};
   camera.eye = s.eye && !s.prp ? *s.eye : view.vrp + glm::transpose(rotation) * eyeInVrc;
   camera.lookAt = view.vrp;
   camera.up = view.vup;

@@ -14,7 +14,7 @@ namespace xnewell {
 /// Places the camera from the user's settings. The scene supplies what the user left out.
 
 /// An oblique parallel projection. A line of one unit along n is drawn `length` units long, at `angle` to the
-/// horizontal.
+/// horizontal. This gives PRP its u and v, wherever the window is.
 struct Oblique {
   double length = 1.0;  ///< 1 for a cavalier projection, 1/2 for a cabinet projection
   double angle = 45.0;  ///< degrees
@@ -30,7 +30,8 @@ struct CameraSettings {
   bool parallel = false;
   std::optional<double> height;    ///< of the picture, in world units; for parallel views
   std::optional<Oblique> oblique;  ///< if set, the view is parallel
-  // The textbook's specification. vrp replaces lookAt; vpn and prp replace eye.
+  // The textbook's specification. vrp replaces lookAt; vpn and prp replace eye. A parallel view is upright if
+  // neither prp nor eye is given.
   std::optional<glm::dvec3> vrp, vpn, vup, prp;
   std::optional<glm::dvec4> window;   ///< umin, umax, vmin, vmax
   std::optional<double> front, back;  ///< the clipping planes, as values of n

@@ -112,6 +112,30 @@ TEST(Camera, TextbookSpecification) {
   EXPECT_NEAR(glm::length(c.eye - glm::dvec3{36, 25, 74}), 0, 1e-12);
 }
 
+// A line of one unit along n is drawn `length` long at `angle`, wherever the window is, whether the eye or
+// PRP is given or not. A parallel view without either is upright.
+TEST(Camera, ObliqueLeansAsItSaysInEveryWindow) {
+  const auto points = cloud(5, 1, {0.2, 0.1, 0});
+  for (const glm::dvec4& window : {glm::dvec4{0, 8, 0, 6}, {1, 5, -1.5, 1.5}, {-9, -1, 2, 8}, {-4, 4, -3, 3}})
+    for (const Oblique& lean : {Oblique{1, 135}, Oblique{0.5, 30}, Oblique{0, 0}})
+      for (const int given : {0, 1, 2, 3}) {
+        SCOPED_TRACE(std::to_string(window.x) + ' ' + std::to_string(lean.angle) + ' ' +
+                     std::to_string(given));
+        CameraSettings s;
+        s.window = window;
+        s.parallel = true;
+        if (lean.length > 0 || given != 0) s.oblique = lean;
+        if ((given & 1) != 0) s.eye = glm::dvec3{3, 2, 6};
+        if ((given & 2) != 0) s.prp = glm::dvec3{3, -2, 7};
+        const ViewSpec view = placeCamera(s, points, UpAxis::Y, 4.0 / 3).view;
+        const glm::dmat4 M = screenFromCanonical(view, 800, 600) * canonicalFromVrc(view);
+        const glm::dvec2 drawn{M * glm::dvec4{0, 0, 1, 0}};
+        const double angle = lean.angle * std::acos(-1.0) / 180, unit = 800 / (window.y - window.x);
+        EXPECT_NEAR(drawn.x, -unit * lean.length * std::cos(angle), 1e-9);
+        EXPECT_NEAR(drawn.y, unit * lean.length * std::sin(angle), 1e-9);
+      }
+}
+
 // Oblique views do not move the eye. So V, and with it the specular term, is that of the upright view.
 TEST(Camera, ObliqueKeepsTheEye) {
   const auto points = cloud(3, 1, {0, 0, 0});

@@ -44,7 +44,7 @@ class ViewEditor {
       try {
         if (whole) {
           next = textbooksOf(cameraOf(s, subject_), subject_.scene);
-          if (key != 'o' && key != 'p') next.oblique = s.picture.camera.oblique;
+          if (key != 'p') next.oblique = s.picture.camera.oblique;
         }
         change(next);
         if (!whole) keepOtherPlane(next, s);

@@ -129,7 +129,8 @@ TEST(ViewingBench, RefusesWhatIsNoView) {
 }
 
 // P keeps all numbers and only projects in parallel; O and a then move PRP so that a line along n is drawn as
-// long as it is, or half as long, at the angle. In perspective they say why they do nothing.
+// long as it is, or half as long, at the angle, and still is when the window changes. In perspective they say
+// why they do nothing.
 TEST(ViewingBench, ObliqueProjections) {
   ViewingWindow b;
   b.does('O');
@@ -149,6 +150,12 @@ TEST(ViewingBench, ObliqueProjections) {
   b.does('O');
   EXPECT_NEAR(leanOf(b.camera().view).length, 0.5, 1e-12);
   EXPECT_NEAR(leanOf(b.camera().view).angle, 120.0, 1e-9);
+  b.press('o');  // the window, which is no more in the middle
+  b.typeValue("-7");
+  EXPECT_EQ(b.camera().view.windowMin.x, -7 / std::ldexp(1.0, b.scene().exponent));
+  EXPECT_NEAR(leanOf(b.camera().view).length, 0.5, 1e-12);
+  EXPECT_NEAR(leanOf(b.camera().view).angle, 120.0, 1e-9);
+  b.press('u');
   b.does('O');
   EXPECT_LT(leanOf(b.camera().view).length, 1e-12);
   b.does('P');
