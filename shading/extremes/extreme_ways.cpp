@@ -11,6 +11,7 @@
 #include "geometry/model/bezier.h"
 #include "geometry/model/coplanar.h"
 #include "shading/extremes/extremes.h"
+#include "shading/fill/evaluated.h"
 #include "shading/scene/units.h"
 
 namespace xnewell {
@@ -125,6 +126,35 @@ Case withLayer(const Start& start, double distance) {
   });
 }
 
+/// The whole scene, seen with this field of view.
+CameraSettings narrowed(const Start& start, double fov) {
+  CameraSettings camera;
+  camera.up = start.settings.camera.up, camera.fov = fov;
+  return camera;
+}
+
+/// What two doubles have between them where the scene is, if it is moved by this, in its units.
+double stepAt(const Start& start, glm::dvec3 by) {
+  Box moved;
+  const Box box = boxOf(start.scene.mesh.points);
+  moved.add(box.low + by), moved.add(box.high + by);
+  const double most = moved.magnitude();
+  return std::nextafter(most, HUGE_VAL) - most;
+}
+
+/// How deep the scene is, seen with this field of view, as a share of its middle's distance from the eye.
+double depthOf(const Start& start, double fov) {
+  const double aspect = static_cast<double>(start.settings.width) / start.settings.height;
+  const Camera camera = placeCamera(start.scene, narrowed(start, fov), aspect);
+  const glm::dvec3 away = unit(camera.lookAt - camera.eye);
+  double nearest = HUGE_VAL, farthest = -HUGE_VAL;
+  for (const glm::dvec3& p : start.scene.mesh.points) {
+    const double distance = glm::dot(away, p - camera.eye);
+    nearest = std::min(nearest, distance), farthest = std::max(farthest, distance);
+  }
+  return (farthest - nearest) / ((farthest + nearest) / 2);
+}
+
 PictureSettings& phong(PictureSettings& settings) {
   settings.shading = Shading::Phong;
   return settings;
@@ -179,24 +209,19 @@ const std::vector<Way>& extremeWays() {
            },
        .why =
            [](const Start& s, double v) {
-             const double step = std::nextafter(v * s.size, 2 * v * s.size + 1) - v * s.size;
-             return "Doubles this far from the origin are " + shortly(step / s.pixel) + " pixels apart.";
+             const double d = v * s.size;
+             return "Doubles this far from the origin are " + shortly(stepAt(s, {d, -d, d}) / s.pixel) +
+                    " pixels apart.";
            }},
       {.name = "field of view down to",
        .unit = "degrees",
        .drives = "The field of view narrows; the eye moves back so that the scene stays in view.",
        .values = {30, 10, 3, 1, 0.3, 0.1, 0.03, 0.01},
-       .at =
-           [](const Start& s, double v) {
-             return withSettings(s, [v](PictureSettings& p) {
-               CameraSettings camera;
-               camera.up = p.camera.up, camera.fov = v;
-               p.camera = camera;
-             });
-           },
+       .at = [](const Start& s,
+                double v) { return withSettings(s, [&](PictureSettings& p) { p.camera = narrowed(s, v); }); },
        .why =
-           [](const Start&, double v) {
-             return "The scene's depth is only " + shortly(std::tan(v * M_PI / 360) * 2) +
+           [](const Start& s, double v) {
+             return "The scene's depth is only " + shortly(depthOf(s, v)) +
                     " of its distance; the depth of a sample keeps 30 bits.";
            }},
       {.name = "field of view up to",
@@ -209,9 +234,10 @@ const std::vector<Way>& extremeWays() {
                  s, [&](PictureSettings& p) { p.camera = perspective(s, s.camera.eye, s.camera.lookAt, v); });
            },
        .why =
-           [](const Start&, double v) {
-             return "The scene becomes " + shortly(std::tan(v * M_PI / 360) / std::tan(M_PI / 12)) +
-                    " times smaller.";
+           [](const Start& s, double v) {
+             const double away = glm::length(s.camera.eye - s.camera.lookAt);
+             const double pixel = 2 * away * std::tan(v * M_PI / 360) / s.settings.height;
+             return "The longest side of the scene is only " + shortly(s.size / pixel) + " pixels.";
            }},
       {.name = "eye falls to",
        .unit = "of its distance",
@@ -276,8 +302,10 @@ const std::vector<Way>& extremeWays() {
            },
        .why =
            [](const Start&, double v) {
-             return "The n-th power multiplies an error of the cosine by n: " + shortly(v * 0x1p-24) +
-                    " in single precision.";
+             const bool single = v <= kMostForSingle;
+             return "The n-th power multiplies an error of the cosine by n: " +
+                    shortly(v * (single ? 0x1p-24 : 0x1p-53)) + (single ? " in single" : " in double") +
+                    " precision.";
            }},
       {.name = "I0 down to",
        .unit = "",
@@ -291,9 +319,10 @@ const std::vector<Way>& extremeWays() {
              });
            },
        .why =
-           [](const Start&, double v) {
-             return "A cell has 16 bits a channel: its darkest value above 0 is " + shortly(1.0 / 65535) +
-                    ", and I0 is " + shortly(v) + ".";
+           [](const Start& s, double v) {
+             const int bits = s.settings.table.bits;
+             return "A cell has " + std::to_string(bits) + " bits a channel: its darkest value above 0 is " +
+                    shortly(1.0 / ((1 << bits) - 1)) + ", and I0 is " + shortly(v) + ".";
            }},
       {.name = "light falls to",
        .unit = "of the size",

@@ -97,8 +97,9 @@ std::optional<Extreme> driven(const Start& start, const Way& way,
   std::optional<Picture> first;
   for (const double value : way.values) {
     if (!mayGoOn(std::string{way.name} + " " + shortly(value))) return std::nullopt;
-    ExtremeStep& step = extreme.steps.emplace_back(ExtremeStep{.value = value, .why = way.why(start, value)});
+    ExtremeStep& step = extreme.steps.emplace_back(ExtremeStep{.value = value});
     try {
+      step.why = way.why(start, value);
       Case drive = way.at(start, value);
       const Picture picture = makePicture(std::move(drive.scene), drive.settings, 0);
       judge(step, picture);

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "depthsort/oracle.h"
+#include "geometry/exact/box.h"
 #include "geometry/model/bezier.h"
 #include "shading/extremes/extreme_ways.h"
 #include "shading/extremes/finding.h"
@@ -284,6 +285,59 @@ TEST(Extremes, IntensitiesAreNumbers) {
       }
     }
   EXPECT_GT(pictures, 60);
+}
+
+// A sentence has the numbers of its scene. Here it is two cards of side 2, one above the other by 1 and seen
+// from 5 above, or above by 3, seen from 10 above, and far from the origin.
+TEST(Extremes, SentencesHaveTheScenesNumbers) {
+  const auto expectWhy = [](bool far, std::string_view name, double value, const std::string& why) {
+    const Scene scene = far ? cards({1'000'003, 1'000'000}) : cards({1, 0});
+    PictureSettings settings = fromAbove();
+    if (far) {
+      settings.camera.eye = {0, 0, 1'000'010}, settings.camera.lookAt = {0, 0, 1'000'000};
+      settings.table.bits = 8;
+    }
+    const Camera camera = makePicture(scene, settings).camera();
+    const Start start{.scene = scene,
+                      .settings = settings,
+                      .camera = camera,
+                      .size = boxOf(scene.mesh.points).side(),
+                      .pixel = std::ldexp(0.1, -scene.exponent),
+                      .target = camera.lookAt,
+                      .facing = {0, 0, 1}};
+    EXPECT_EQ(std::ranges::find(extremeWays(), name, &Way::name)->why(start, value), why);
+  };
+  const auto apart = [](double pixels) {
+    return "Doubles this far from the origin are " + shortly(pixels) + " pixels apart.";
+  };
+  expectWhy(false, "moved by", 1e6, apart(0x1p-32 / 0.1));  // at 2,000,001
+  expectWhy(true, "moved by", 0, apart(0x1p-33 / 0.1));     // at 1,000,003
+  expectWhy(true, "moved by", 1e6, apart(0x1p-31 / 0.1));   // at 4,000,003
+  // Seen from (0.22, 0.52, 1), over 0.94 of 30 rows: the lower edge of the near card is at the bottom, the
+  // upper edge of the far one at the top.
+  const auto depth = [](double z) {
+    const double length = std::sqrt(0.22 * 0.22 + 0.52 * 0.52 + 1), flat = std::hypot(0.22, 1);
+    const double high = (2 * flat * flat + 0.52 * (2 * 0.22 + z)) / (length * flat);
+    const double wide = (2 + 0.22 * z) / flat;
+    const double distance = std::max(high, wide * 3 / 4) / 2 / (0.94 * std::tan(0.005 * M_PI / 180));
+    return "The scene's depth is only " + shortly((2 * 0.22 + 2 * 0.52 + z) / length / distance) +
+           " of its distance; the depth of a sample keeps 30 bits.";
+  };
+  expectWhy(false, "field of view down to", 0.01, depth(1));
+  expectWhy(true, "field of view down to", 0.01, depth(3));
+  const auto side = [](double pixels) {
+    return "The longest side of the scene is only " + shortly(pixels) + " pixels.";
+  };
+  expectWhy(false, "field of view up to", 90, side(2 * 30 / 10.0));
+  expectWhy(true, "field of view up to", 90, side(3 * 30 / 20.0));
+  expectWhy(false, "exponent n up to", 1000,
+            "The n-th power multiplies an error of the cosine by n: 5.96e-05 in single precision.");
+  expectWhy(false, "exponent n up to", 10'000,
+            "The n-th power multiplies an error of the cosine by n: 1.11e-12 in double precision.");
+  expectWhy(false, "I0 down to", 0.1,
+            "A cell has 16 bits a channel: its darkest value above 0 is 1.526e-05, and I0 is 0.1.");
+  expectWhy(true, "I0 down to", 0.1,
+            "A cell has 8 bits a channel: its darkest value above 0 is 0.003922, and I0 is 0.1.");
 }
 
 // A finding says which values have a fault, and no others: "on" only where it stays. Where it is largest is
