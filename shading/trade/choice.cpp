@@ -160,17 +160,23 @@ Chosen chooseWithin(const Trade& trade, const AccuracyLimit& limit) {
   const auto changesOf = [&](int k) { return static_cast<double>(all[k].configuration.changes.size()); };
   const std::vector<int> best = choice.accurate
                                     ? bestOf(bestOf(fastestOf(kept, all), 1, changesOf), kErrorTie, errorOf)
-                                    : bestOf(bestOf(timed, kErrorTie, errorOf), kTimeTie, ratioOf);
+                                    : bestOf(bestOf(timed, 1, errorOf), kTimeTie, ratioOf);
   if (best.empty()) return choice;
   choice.combination =
       *std::ranges::min_element(best, {}, [&](int k) { return rankOf(trade, all[k].configuration); });
   const Measured& chosen = all[choice.combination];
-  choice.why.push_back("Of " + std::to_string(all.size()) + " combinations that were tried, it is the " +
-                       (choice.accurate
-                            ? "fastest within the limit, with " + textOf(100 * kSpare) + " % to spare."
-                            : "most accurate."));
+  // What was not seen on the other views may be further off there than here, but not less.
+  const bool isLeast = std::ranges::none_of(
+      all, [&](const Measured& one) { return errorOnAllViews(one) < errorOnAllViews(chosen); });
+  choice.why.push_back(
+      "Of " + std::to_string(all.size()) + " combinations that were tried, " +
+      (choice.accurate ? "it is the fastest within the limit, with " + textOf(100 * kSpare) + " % to spare."
+       : isLeast       ? "it is the most accurate."
+                       : std::to_string(timed.size()) +
+                       " were seen on all views and timed; it is the most accurate of these."));
   const auto [off, allowed] = toldApart(errorOnAllViews(chosen), limit.rms);
-  choice.why.push_back("Its RMS error is at most " + off + " in this view and in turned ones" +
+  choice.why.push_back("Its RMS error is at most " + off + " in this view and in " +
+                       std::to_string(trade.views) + " turned ones" +
                        (errorOnAllViews(chosen) <= limit.rms ? ", and " : ", but ") + allowed +
                        " is allowed. It takes " + ms(chosen.cost.time.ms) + ".");
   if (limit.wrong)

@@ -39,7 +39,8 @@ inline constexpr double kTimeTie = 1.15, kTimeFar = 1.3, kErrorTie = 1.05;
 /// The choice among the combinations of a trade whose times are not rough. Of those that keep the limit it is
 /// the fastest. Of equally fast ones it is the one with the fewest changes, of these the most accurate, and
 /// of equally accurate ones the first by the axes of the trade and their values. If none keeps the limit, it
-/// is the most accurate, of equals the fastest, and then the one with the fewest changes.
+/// is the most accurate; of those with the same errors it is the fastest, and then the one with the fewest
+/// changes.
 [[nodiscard]] Chosen chooseWithin(const Trade& trade, const AccuracyLimit& limit);
 
 /// Two numbers in two digits, or in as many as it takes to tell them apart: {"0.012", "0.01"}.

@@ -281,25 +281,24 @@ bool Search::step() {
 
 std::vector<int> Search::within(double times, double saves) const {
   std::vector<int> all;
-  const auto errorOf = [&](int k) { return errorOnAllViews(tried_[k]); };
   const auto isWithin = [&](int k, double most) {
-    return least_ == 0 || (keeps(tried_[k], *limit_) && tried_[k].cost.time.ms <= most * least_);
+    return keeps(tried_[k], *limit_) && tried_[k].cost.time.ms <= most * least_;
   };
+  std::vector<const Measured*> some;
   for (int k = 0; k < static_cast<int>(tried_.size()); ++k)
-    if (isWithin(k, saves * times)) all.push_back(k);
-  if (least_ > 0) {
-    std::vector<const Measured*> some;
-    for (const int k : all) some.push_back(&tried_[k]);
-    const std::vector<const Measured*> useful = usefulOf(std::move(some), saves);
-    std::erase_if(all, [&](int k) {
-      return !isWithin(k, times) || std::ranges::find(useful, &tried_[k]) == useful.end();
-    });
-  } else if (!all.empty()) {
-    const int best = *std::ranges::min_element(all, {}, errorOf);
-    std::erase_if(
-        all, [&](int k) { return errorOf(k) > kErrorTie * errorOf(best) || nodes_[nodeOfTried_[k]].idle; });
-  }
+    if (isWithin(k, saves * times)) all.push_back(k), some.push_back(&tried_[k]);
+  const std::vector<const Measured*> useful = usefulOf(std::move(some), saves);
+  std::erase_if(all, [&](int k) {
+    return !isWithin(k, times) || std::ranges::find(useful, &tried_[k]) == useful.end();
+  });
   std::ranges::stable_sort(all, {}, [&](int k) { return tried_[k].cost.time.ms; });
+  return all;
+}
+
+std::vector<int> Search::byError() const {
+  std::vector<int> all(tried_.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::ranges::stable_sort(all, {}, [&](int k) { return errorOnAllViews(tried_[k]); });
   return all;
 }
 

@@ -46,9 +46,11 @@ class Search {
   /// their errors elsewhere, unless they are much slower than the fastest.
   [[nodiscard]] const std::vector<Measured>& tried() const { return tried_; }
   /// The indices of those that keep the limit and are at most `times` as slow as the fastest of them, the
-  /// fastest first; without any, of the most accurate; none if nothing was tried. Those are left out that
-  /// are as fast with fewer changes: usefulOf(). `saves` is at most 1.1. Precondition: there is a limit.
+  /// fastest first. Those are left out that are as fast with fewer changes: usefulOf(). `saves` is at most
+  /// 1.1. Precondition: there is a limit.
   [[nodiscard]] std::vector<int> within(double times, double saves) const;
+  /// The indices of all that was tried, by the errors that are known, the least first.
+  [[nodiscard]] std::vector<int> byError() const;
   /// The indices of the `count` that are nearest to the front. Changes that bring nothing are left out.
   [[nodiscard]] std::vector<int> nearFront(std::size_t count) const;
   /// The values that no combination tried had: "--order bsp, oracle; --divisions 64"; "" if all were tried.

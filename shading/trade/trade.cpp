@@ -17,9 +17,16 @@ namespace xnewell {
 
 namespace {
 
-/// The shares of the time that the parts may take: errors of rows, their times, errors of combinations, and
-/// their times. A choice within a limit has no rows.
-constexpr double kRowErrors = 0.3, kRowTimes = 0.6, kCombinationErrors = 0.8;
+/// The shares of the time after which the parts end: errors of rows, their times, the search of combinations,
+/// their errors, and their times. A closer look at the front has the rest.
+constexpr double kRowErrors = 0.3, kRowTimes = 0.5, kSearch = 0.65, kCombinationErrors = 0.75,
+                 kCombinationTimes = 0.9;
+/// The same for a choice within a limit, which has no rows: the search, and the errors on all views.
+constexpr double kChoiceSearch = 0.8, kChoiceErrors = 0.9;
+
+/// So many combinations are timed, or more, as many as can run so many rounds in their time.
+constexpr std::size_t kLeastCombinations = 8;
+constexpr int kRounds = 9;
 
 /// What keeps a limit and is near the fastest is timed again in turn; but no more than so many, the fastest
 /// by their first times, and only as many as take this share of the time for the first rounds.
@@ -35,10 +42,9 @@ constexpr double kSaves = 1.1, kMaySave = 1.05;
 /// How narrow the intervals of the last times shall be, so that chance seldom decides what is a tie.
 constexpr double kNarrow = 0.02;
 
-/// What has begun when the time of its part is over may take this share of the whole time more. Then it is given
-/// up. So the parts together take no more than this share beyond the time, but for the set-up itself, which is
-/// always measured.
-constexpr double kBeyond = 0.05;
+/// What has begun may take this share of the time more than its part has left, and the last part kOver. Then
+/// it is given up. So one picture that takes very long cannot take more.
+constexpr double kBeyond = 0.2, kOver = 0.05;
 
 /// The trade while it is made.
 class Trader {
@@ -81,7 +87,8 @@ class Trader {
 
   /// While it lives, what belongs to a part that ends at `share` of the time can be given up.
   [[nodiscard]] MayGiveUp limitOf(double share) const {
-    const double last = (share + kBeyond) * request_.seconds;
+    const double last = std::min(std::max(seconds(), share * request_.seconds) + kBeyond * request_.seconds,
+                                 (1 + kOver) * request_.seconds);
     return MayGiveUp{[this, last] { return seconds() > last; }};
   }
   /// Returns false if the work was given up.
@@ -131,12 +138,11 @@ class Trader {
   }
 
   /// Searches as long as there is time. Returns false if it was stopped.
-  bool searched(Search& search, const std::string& what) {
+  bool searched(Search& search, double share) {
     bool more = true;
     do {
-      if (!goOn("looking at " + what + ": " + std::to_string(search.tried().size()))) return false;
-      const bool known =
-          !isLate(kCombinationErrors) && inTime(kCombinationErrors, [&] { more = search.step(); });
+      if (!goOn("looking at combinations: " + std::to_string(search.tried().size()))) return false;
+      const bool known = !isLate(share) && inTime(share, [&] { more = search.step(); });
       if (!known) {
         trade_.notes.emplace_back("the time did not suffice for all combinations with promise (--budget)");
         break;
@@ -150,29 +156,35 @@ class Trader {
     Search search{measure_, trade_.axes, {}};
     search.know(trade_.asked);
     for (const TradeRow& row : trade_.rows) search.know(row.measured);
-    if (!searched(search, "combinations")) return;
-    // Each is timed in several rounds.
-    const double each = trade_.asked.cost.time.ms * (1 + trade_.views + TimingLimits{}.leastRounds);
-    const auto most = static_cast<std::size_t>(
-        std::clamp(1e3 * secondsTo(1) / std::max(each, 1e-3), 8.0, double{kMostCombinations}));
-    for (const int k : search.nearFront(most)) {
-      if (!goOn("looking at " + search.tried()[k].configuration.name())) return;
+    if (!searched(search, kSearch)) return;
+    double round = 2 * trade_.asked.cost.time.ms;  // the base and its twin
+    for (const int k : search.nearFront(kMostCombinations)) {
+      const Measured& one = search.tried()[k];
+      round += one.cost.time.ms;
+      if (trade_.combinations.size() >= kLeastCombinations &&
+          (isLate(kCombinationErrors) || kRounds * round > 1e3 * secondsTo(kCombinationTimes)))
+        break;
+      if (!goOn("looking at " + one.configuration.name())) return;
       if (!inTime(kCombinationErrors,
-                  [&] { trade_.combinations.push_back(measure_.brief(search.tried()[k].configuration)); }))
+                  [&] { trade_.combinations.push_back(measure_.brief(one.configuration)); }))
         return noTimeForCombinations();
     }
     Measured base = trade_.asked;  // so that all times are compared with the same set-up
     std::vector<Measured*> timed{&base};
     for (Measured& one : trade_.combinations) timed.push_back(&one);
-    trade_.ofCombinations = time(timed, 1, "timing combinations", request_.mostRounds);
+    trade_.ofCombinations = time(timed, kCombinationTimes, "timing combinations", request_.mostRounds);
     if (trade_.ofCombinations.rounds == 0) return noTimeForCombinations();
     if (request_.brief) return;
     for (const int k : trade_.front) {
-      if (!goOn("looking closer at " + trade_.combinations[k].configuration.name())) return;
-      const Cost cost = trade_.combinations[k].cost;
-      if (!inTime(1, [&] { trade_.combinations[k] = measure_.whole(trade_.combinations[k].configuration); }))
-        return noTimeForCombinations();
-      trade_.combinations[k].cost.time = cost.time, trade_.combinations[k].cost.stages = cost.stages;
+      Measured& one = trade_.combinations[k];
+      if (!goOn("looking closer at " + one.configuration.name())) return;
+      const Cost cost = one.cost;
+      if (isLate(1) || !inTime(1, [&] { one = measure_.whole(one.configuration); })) {
+        trade_.notes.emplace_back(
+            "the time did not suffice for a closer look at all of the front (--budget)");
+        return;
+      }
+      one.cost.time = cost.time, one.cost.stages = cost.stages;
     }
   }
 
@@ -183,29 +195,35 @@ class Trader {
       trade_.notes.emplace_back("the time did not suffice to time combinations (--budget)");
   }
 
-  /// The combinations near the limit. Those that may be the choice are timed again, in turn.
+  /// The combinations near the limit. Those that may be the choice are timed again, in turn. If none keeps
+  /// the limit, they are seen on all views until none that is left can be the most accurate.
   void choices() {
     Search search{measure_, trade_.axes, request_.within};
-    if (!searched(search, "combinations")) return;
-    std::vector<int> final = search.within(kNearFastest, kMaySave);
-    if (final.size() > kFinalists) final.resize(kFinalists);
-    double ms = 0;
-    std::erase_if(final, [&](int k) {
-      ms += kFirstRounds * search.tried()[k].cost.time.ms;
-      return k != final.front() && ms > 1e3 * kFirstShare * request_.seconds;
-    });
+    if (!searched(search, kChoiceSearch)) return;
+    const std::vector<int> within = search.within(kNearFastest, kMaySave);
     trade_.combinations = search.tried();
     std::vector<Measured*> timed;
-    for (const int k : final) {
+    double ms = 0, leastError = std::numeric_limits<double>::infinity();
+    for (const int k : within.empty() ? search.byError() : within) {
       Measured& one = trade_.combinations[k];
+      ms += kFirstRounds * one.cost.time.ms;
+      if (!timed.empty() && within.empty() && (errorOnAllViews(one) > leastError || isLate(kChoiceErrors)))
+        break;
+      if (!timed.empty() && !within.empty() &&
+          (timed.size() == kFinalists || ms > 1e3 * kFirstShare * request_.seconds))
+        break;
       const Cost rough = one.cost;
       const std::int64_t wrong = one.wrongElsewhere;
-      if (!inTime(kCombinationErrors, [&] { one = measure_.brief(one.configuration); })) break;
+      if (!inTime(kChoiceErrors, [&] { one = measure_.brief(one.configuration); })) break;
       one.wrongElsewhere = wrong;
-      one.cost.time = rough.time, one.cost.stages = rough.stages;
+      one.cost.time = rough.time, one.cost.stages = rough.stages, one.cost.rough = true;
+      leastError = std::min(leastError, errorOnAllViews(one));
       timed.push_back(&one);
     }
     if (timed.empty()) return;
+    if (within.empty())
+      std::erase_if(timed, [&](Measured* one) { return errorOnAllViews(*one) > leastError; });
+    for (Measured* const one : timed) one->cost.rough = false;
     // A few rounds leave those that may be the fastest; these have the rest of the time.
     (void)time(timed, 1, "timing the fastest", kFirstRounds);
     const auto ratioOf = [](const Measured* one) { return one->cost.time.ratio; };

@@ -197,6 +197,25 @@ TEST(Trade, GivesUpWhatTakesTooLong) {
   EXPECT_GT(trade.asked.here.samples, 0);
 }
 
+// The time that was given is kept within a tenth, and it is used: the combinations have their times. Without
+// any time the references and the set-up are measured all the same, so the time that is given is some times
+// as long.
+TEST(Trade, KeepsItsTime) {
+  const auto secondsFor = [](double seconds, Trade* made) {
+    const double start = processorMs();
+    Trade trade = tradeOf(readScene("teapot", 4), small(), {.seconds = seconds});
+    if (made) *made = std::move(trade);
+    return (processorMs() - start) / 1e3;
+  };
+  const double least = secondsFor(1e-9, nullptr);
+  for (const double times : {12, 30}) {
+    Trade trade;
+    EXPECT_LT(secondsFor(times * least, &trade), 1.1 * times * least);
+    EXPECT_GE(trade.combinations.size(), 8u);
+    EXPECT_GT(trade.ofCombinations.rounds, 0);
+  }
+}
+
 // No combination beats one on the front, unless their times or their errors are a tie.
 TEST(Trade, NothingBeatsTheFront) {
   PictureSettings settings = small();
