@@ -24,8 +24,7 @@ constexpr double kLargeN = 32;
 constexpr int kFewTelling = 5;  ///< samples; fewer tell nothing
 constexpr double kTwoInformative = 0.95;
 constexpr int kPlacesForTwo = 3;  ///< pairs of values that must tell before two mistakes are named
-/// The same before a number is named: with one face, there is always a number that explains its value.
-constexpr int kPlacesForNumber = 3;
+constexpr std::size_t kFacesForNumber = 3;  ///< that must tell, or values of smooth ones
 
 /// -log p(d) for each width, in steps of 1/16 shade.
 constexpr int kSteps = 16, kFarthest = 256 * kSteps;
@@ -162,9 +161,25 @@ Fit Diagnoser::fit(TurnWay turn, const std::vector<Predicted>& other, std::size_
 /// True if a row or a number explains what it must.
 bool Diagnoser::isTold(const Fit& fit) const {
   const bool isMistake = fit.first->meaning == Meaning::Wrong;
-  const bool isNumber = fit.first->meaning == Meaning::Numbers;
-  return fit.telling >= kFewTelling && (!isNumber || fit.places >= kPlacesForNumber) &&
+  return fit.telling >= kFewTelling &&
          fit.informative >= (tellsExactly() && !isMistake ? kExact : kInformative);
+}
+
+/// True if several faces, or values of smooth ones, tell a number from the row that fits best without it: the
+/// picture has there what the number makes of them, and not what that row does.
+bool Diagnoser::severalTell(const Fit& number, const Hypothesis& best) {
+  const Approach way = approachOf(number), without = approachWith(best);
+  const std::vector<Predicted> mine = predicted(way);
+  const std::vector<Predicted>& theirs = known(best);
+  const auto shows = [&](TurnWay turn, std::size_t s, const Predicted& one) {
+    const Read& yours = reads_[static_cast<std::size_t>(turn)];
+    return tellsExactly() && one.slope == 0.0F ? isSame(yours, s, one) : apart(yours, s, one) <= tolerance();
+  };
+  std::set<std::pair<int, int>> faces;
+  for (std::size_t s = 0; s < mine.size(); ++s)
+    if (shows(way.turn, s, mine[s]) && !shows(without.turn, s, theirs[s]))
+      faces.emplace(samples_[s].face, tellsExactly() ? 0 : asHanded_.value[s][0]);
+  return faces.size() >= kFacesForNumber;
 }
 
 void Diagnoser::decide(Diagnosis& d) {
@@ -172,7 +187,6 @@ void Diagnoser::decide(Diagnosis& d) {
   for (const Hypothesis& h : hypotheses()) {
     const Approach way = approachWith(h);
     if (!applies(h) || reads_[static_cast<std::size_t>(way.turn)].value.empty()) continue;
-    if (h.key == "direct-colours" && !model_.colors) continue;
     Fit one = fit(way.turn, known(h));
     one.first = &h;
     if (h.meaning != Meaning::Numbers)
@@ -201,14 +215,20 @@ void Diagnoser::decide(Diagnosis& d) {
     numbers.push_back(f);
   }
   std::ranges::stable_sort(numbers, {}, &Fit::cost);
-  const auto keepClass = [&] {
-    std::erase_if(numbers, [&](const Fit& f) { return f.cost > numbers.front().cost + kClass; });
+  const Hypothesis& bestRow = *d.all.front().first;
+  /// Those of the best class that several faces tell.
+  const auto toldBySeveral = [&](std::vector<Fit> all) {
+    std::erase_if(all, [&](const Fit& f) { return !severalTell(f, bestRow); });
+    if (!all.empty())
+      std::erase_if(all, [least = all.front().cost](const Fit& f) { return f.cost > least + kClass; });
+    return all;
   };
-  if (!numbers.empty() && numbers.front().cost < best - kClass) {
-    keepClass();
-    d.verdict = Marking::Numbers, d.found = numbers;
-    return addPixel(d);
-  }
+  const std::vector<Fit> told = toldBySeveral(numbers);
+  const auto nameNumbers = [&](const std::vector<Fit>& found) {
+    d.verdict = Marking::Numbers, d.found = found;
+    addPixel(d);
+  };
+  if (!told.empty() && told.front().cost < best - kClass) return nameNumbers(told);
   if (isBest) {
     d.verdict = Marking::Right, d.found = {*right};
     return;
@@ -243,16 +263,10 @@ void Diagnoser::decide(Diagnosis& d) {
     d.verdict = d.found.size() == 1 ? Marking::Mistake : Marking::OneOf;
     return addPixel(d);
   }
-  if (!numbers.empty()) {
-    keepClass();
-    d.verdict = Marking::Numbers, d.found = numbers;
-    return addPixel(d);
-  }
+  if (!told.empty()) return nameNumbers(told);
   if (decideByTwo(d, best, false)) return addPixel(d);
-  if (numbers = numbersThatFit(true); !numbers.empty()) {
-    d.verdict = Marking::Numbers, d.found = numbers;
-    return addPixel(d);
-  }
+  if (const std::vector<Fit> fine = toldBySeveral(numbersThatFit(true)); !fine.empty())
+    return nameNumbers(fine);
   if (decideByTwo(d, best, true)) return addPixel(d);
   if (right != d.all.end() && right->explained >= kNearlyAll) {
     d.verdict = Marking::Right, d.found = {*right};

@@ -32,9 +32,9 @@ namespace xnewell {
 ///    right. That guards against mistakes that are not in the list. With flat shading and one hue, to explain
 ///    is to show the same stored value; elsewhere, edges of other programs leave some slack.
 /// 6. If the right program does not show the picture exactly, other numbers are searched for, one at a time
-///    (numbers.cpp). A number that fits better than all rows is told; one that fits as well as a mistake is
-///    told with it, and one that fits as well as what the course allows is a doubt. One face alone tells no
-///    number.
+///    (numbers.cpp). A number that fits better than all rows is told if several faces tell it from the best
+///    of these; one that fits as well as a mistake is told with it, and one that fits as well as what the
+///    course allows is a doubt.
 /// 7. Outlines that are farther from the right ones than other edge rules and rounded corners may bring them
 ///    (outlines.h) are told; a picture with such outlines is not right.
 /// 8. If nothing fits, two rows at once are tried, and after them numbers in small steps.
@@ -168,6 +168,7 @@ class Diagnoser {
   [[nodiscard]] bool tellsExactly() const;
   [[nodiscard]] std::vector<OtherNumber> likelyNumbers(bool fine) const;
   [[nodiscard]] std::vector<Fit> numbersThatFit(bool fine);
+  [[nodiscard]] bool severalTell(const Fit& number, const Hypothesis& best);
   [[nodiscard]] bool applies(const Hypothesis& h) const;
   [[nodiscard]] const std::vector<Predicted>& known(const Hypothesis& h);
   void decide(Diagnosis& d);

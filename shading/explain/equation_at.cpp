@@ -69,16 +69,15 @@ ExplainedLight EquationAt::explained(const Light& light, const ExplainedEquation
                                      const glm::dmat3* derivative) const {
   ExplainedLight e;
   const bool directional = light.kind == LightKind::Directional;
-  // A light with the same L everywhere has that of the scene's centre. The cone of a spot stays where it is.
   const glm::dvec3 towards = directional       ? light.direction
                              : user_.constantL ? light.position - centre_
                                                : light.position - at.P;
   e.L = unit(towards);
   if (!directional) {
     e.fatt = attenuation(light, glm::dot(towards, e.L), unit_);
-    const glm::dvec3 own = unit(light.position - at.P);
-    e.spot = spotShare(light, own);
-    if (user_.constantL && light.kind == LightKind::Spot) e.coneL = own;
+    const glm::dvec3 ownL = unit(light.position - at.P);
+    e.spot = spotShare(light, ownL);
+    if (user_.constantL && light.kind == LightKind::Spot) e.ownL = ownL;
   }
   if (derivative) e.L = carried(*derivative, e.L);
   const EquationVectors vectors{at.N, e.L, at.V};

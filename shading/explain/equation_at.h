@@ -22,8 +22,9 @@ struct ExplainedLight {
   double facing = 0, counted = 0;  ///< what counts for both: max(0, .) unless a mistake says otherwise
   double power = 0;                ///< counted^n; 0 where there is no highlight, as N.L <= 0
   double fatt = 1, spot = 1;
-  /// Towards a spot from P, if L is that of the scene's centre: `spot` is the share of this direction.
-  std::optional<glm::dvec3> coneL;
+  /// Towards a spot from the place itself, if L and fatt are those of the scene's centre: the share of a cone
+  /// is the place's own.
+  std::optional<glm::dvec3> ownL = {};
   ByChannel Ip{}, diffuse{}, specular{};  ///< the diffuse term includes the texel
 };
 

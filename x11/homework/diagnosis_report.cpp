@@ -97,6 +97,24 @@ std::string nameOf(const Fit& fit) {
   return name;
 }
 
+namespace {
+
+/// "right, but it stores 255 I, not the table's colour", and the option with which that is plainly right.
+std::string storedInWords(const Diagnosis& d) {
+  const Fit& fit = d.found.front();
+  const auto stores = [](const Hypothesis* h) { return h != nullptr && h->key.starts_with("direct-"); };
+  if (!stores(fit.first) && !stores(fit.second)) return "";
+  const Hypothesis &row = stores(fit.first) ? *fit.first : *fit.second, *const other = stores(fit.first)
+                                                                                           ? fit.second
+                                                                                           : fit.first;
+  std::string words = "right, but i" + std::string{row.sentence.substr(1, row.sentence.size() - 2)};
+  if (other != nullptr) words += ", with " + std::string{other->key} + " (the course allows it)";
+  if (d.oneHue && row.key != "direct-gamma") words += ": --colors chosen accepts it";
+  return words;
+}
+
+}  // namespace
+
 std::string verdictOf(const Diagnosis& d) {
   switch (d.verdict) {
     case Marking::Right:
@@ -104,6 +122,7 @@ std::string verdictOf(const Diagnosis& d) {
                  ? "right"
                  : "right, but for one shade at " + percent(1.0 - d.exact) + " of the samples";
     case Marking::Allowed: {
+      if (const std::string stores = storedInWords(d); !stores.empty()) return stores;
       std::string words = "right, with " + std::string{d.found.front().first->key};
       if (d.found.front().second) words += " and " + std::string{d.found.front().second->key};
       return words + " (the course allows it): " + std::string{d.found.front().first->sentence};

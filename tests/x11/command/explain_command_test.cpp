@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <glm/geometric.hpp>
 
 #include "tests/support/seeds.h"
 #include "tests/x11/support/command_fixture.h"
@@ -78,6 +80,39 @@ TEST_F(CommandTest, ExplainsWithoutAmbientLight) {
   EXPECT_DOUBLE_EQ(e.at("equations").at(0).at("ka").get<double>(), 0.9);
   const auto ambient = runProgram(kPixel + Strings{"--ia", "0.3", "--ip", "0"});
   EXPECT_NE(ambient.out.find("= 0.90 x 0.30\n        = 0.2700\n"), std::string::npos) << ambient.out;
+}
+
+// With --constant-l the share of a spot is each place's own. explain prints that place's direction to the
+// spot, and its share can be computed from it: 1 inside 15 degrees, 0 outside 17.
+TEST_F(CommandTest, ExplainsASpotWithLConstant) {
+  const Strings edge{"explain", "spotlight", "400,420", "--shade", "phong", "--constant-l"};
+  const auto told = runProgram(edge);
+  ASSERT_EQ(told.status, 0) << told.err;
+  const std::string says =
+      "   from here, for the cone alone: L and the distance are those of the scene's centre\n";
+  EXPECT_NE(told.out.find(says), std::string::npos) << told.out;
+  EXPECT_EQ(runProgram({"explain", "spotlight", "400,420"}).out.find(says), std::string::npos);
+  const glm::dvec3 spot{-1.5, 1, 7}, axis = glm::normalize(glm::dvec3{0.2, 0, 0} - spot);
+  int between = 0;
+  for (int y = 300; y < 560; y += 3) {
+    Strings pixel = edge;
+    pixel[2] = "400," + std::to_string(y);
+    pixel.emplace_back("--json");
+    const Json e = Json::parse(runProgram(pixel).out);
+    if (e.at("history").empty()) continue;
+    const Json& equation = e.at("equations").at(0);
+    const Json& light = equation.at("lights").at(0);
+    const auto vector = [](const Json& v) { return glm::dvec3{v.at(0), v.at(1), v.at(2)}; };
+    const glm::dvec3 ownL = vector(light.at("L_for_cone"));
+    EXPECT_LT(glm::length(ownL - glm::normalize(spot - vector(equation.at("at")))), 1e-12);
+    EXPECT_GT(glm::length(ownL - vector(light.at("L"))), 1e-4);
+    const auto cosine = [](double degrees) { return std::cos(degrees * std::acos(-1.0) / 180); };
+    const double share =
+        std::clamp((glm::dot(-ownL, axis) - cosine(17)) / (cosine(15) - cosine(17)), 0.0, 1.0);
+    EXPECT_NEAR(light.at("spot"), share, 1e-9);
+    between += share > 0 && share < 1;
+  }
+  EXPECT_GT(between, 1);
 }
 
 // The cell is that of the picture that `draw` writes, for every method, with textures, colours and lights.
