@@ -167,15 +167,20 @@ int giveRandomInput(const XServer& server, const std::vector<std::string>& start
                 << now.resources << " resources\n";
     }
   }
-  window.resize(1024, 768);
-  window.moveTo(700, 15);  // keys go where the pointer is, which may be outside the window now
-  for (int k = 0; k < 4; ++k) window.press(XK_Escape);
-  window.type("1");  // settles() needs the picture behind the overlay of keys
-  try {
-    if (!window.settles()) return failed("the window does not answer");
-  } catch (const std::runtime_error&) {
-    return failed("the window is gone");
+  bool answers = false;
+  for (int k = 0; k < 3 && !answers && program.running(); ++k) {
+    window.resize(1024, 768);
+    window.moveTo(700, 15);  // keys go where the pointer is, which may be outside the window now
+    for (int escapes = 0; escapes < 4; ++escapes) window.press(XK_Escape);
+    window.type("1");   // settles() needs the picture behind the overlay of keys
+    usleep(1'000'000);  // whoever leaves the full screen has the old size again
+    window.resize(1024, 768);
+    try {
+      answers = window.settles();
+    } catch (const std::runtime_error&) {  // it has changed its size meanwhile, or is gone
+    }
   }
+  if (!answers) return failed("the window does not answer");
   window.type("qq");
   const Finished end = program.wait();
   if (!comesToShowNone(window.display())) return failed("its window stays");
