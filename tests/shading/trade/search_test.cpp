@@ -136,9 +136,10 @@ TEST(Search, IsTheMostAccurateIfItSaysSo) {
     EXPECT_EQ(errorOnAllViews(choice.measured()), least);
     EXPECT_LE(least, errorOnAllViews(measure.brief(measure.askedConfiguration())));
     int others = 0;
-    for (const Measured& one : choice.trade.combinations) {
-      if (++others % 5 == 0) EXPECT_LE(least, errorOnAllViews(measure.brief(one.configuration)));
-    }
+    for (const Measured& one : choice.trade.combinations)
+      if (++others % 5 == 0) {
+        EXPECT_LE(least, errorOnAllViews(measure.brief(one.configuration)));
+      }
     EXPECT_GT(others, 20);
   }
 }
