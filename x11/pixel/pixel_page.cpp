@@ -534,7 +534,7 @@ void addShade(Section& s, const Story& story, const Explanation& e, const PixelS
              "), cell " + std::to_string(table.first()) + " + " + hidden(shade) + " = " + hidden(e.value[0]),
          9, kI);
   s.fact("table", Object{{"name", kind.name}, {"first", table.first()}, {"shades", table.shades()}});
-  s.fact("in_loop", e.inLoop);
+  if (!own) s.fact("in_loop", e.inLoop);
   s.fact("interval", List{picked.from, picked.to},
          "that shade is for " + written(picked.from) + (picked.last ? " <= I <= " : " <= I < ") +
              written(picked.to) + "; it holds " + listed(stored, 0),
