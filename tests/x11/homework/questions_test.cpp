@@ -193,7 +193,8 @@ TEST(Questions, AnswersAboutTheSceneAreThoseOfASecondWay) {
         ASSERT_NE(event, other.run.events.end());
         EXPECT_TRUE(q.choices[q.right].starts_with(
             "test " + std::string{kTestRows[static_cast<std::size_t>(event->test)].name} + ":"));
-        for (const Test test : {Test::PBehindQ, Test::QInFrontOfP, Test::QBehindP, Test::PInFrontOfQ})
+        for (const xnewell::Test test : {xnewell::Test::PBehindQ, xnewell::Test::QInFrontOfP,
+                                         xnewell::Test::QBehindP, xnewell::Test::PInFrontOfQ})
           if (test <= event->test) {
             EXPECT_EQ(passesByHand(other.unsorted, test, given("P"), given("Q")), test == event->test);
           }

@@ -208,12 +208,12 @@ TEST(SortPage, NumbersAreTheExplainers) {
 
 // A distance other than 0 is never shown as 0, and 0 has no sign.
 TEST(SortPage, SmallDistancesKeepTheirSign) {
-  EXPECT_EQ(distanceText({{}, 3.14, 1}), "+3.1");
-  EXPECT_EQ(distanceText({{}, -28.57, -1}), "-28.6");
-  EXPECT_EQ(distanceText({{}, 0.004, 1}), "+0.004");
-  EXPECT_EQ(distanceText({{}, -0.00002, -1}), "-0.00002");
-  EXPECT_EQ(distanceText({{}, 0.0, 0}), "0.0");
-  EXPECT_EQ(distanceText({{}, 1e-12, 0}), "0.0");
+  EXPECT_EQ(distanceText({{}, 3.14, 1, false}), "+3.1");
+  EXPECT_EQ(distanceText({{}, -28.57, -1, false}), "-28.6");
+  EXPECT_EQ(distanceText({{}, 0.004, 1, false}), "+0.004");
+  EXPECT_EQ(distanceText({{}, -0.00002, -1, false}), "-0.00002");
+  EXPECT_EQ(distanceText({{}, 0.0, 0, false}), "0.0");
+  EXPECT_EQ(distanceText({{}, 1e-12, 0, false}), "0.0");
 }
 
 // A page that asks does not show the outcome. If the test changes the test and the verdict in the event, the
