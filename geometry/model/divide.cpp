@@ -21,7 +21,8 @@ constexpr int kDivisionGridBits = 50;
 
 /// One face, prepared for the decisions.
 struct Outline {
-  std::vector<LatticePoint> grid;  ///< counter-clockwise
+  std::vector<int> turns;          ///< the corners that are not in the middle of a straight side
+  std::vector<LatticePoint> grid;  ///< these, counter-clockwise
   bool planar = false;
   bool hasArea = false;
 };
@@ -36,13 +37,18 @@ void collapse(const Mesh& mesh, int face, std::vector<int>& corners) {
   while (corners.size() > 1 && at(corners.back()) == at(corners.front())) corners.pop_back();
 }
 
+/// True if the way from a over b to c is straight, or runs back on itself, within `width`.
+bool inLine(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double width) {
+  const glm::dvec3 out = b - a, on = c - b;
+  return glm::length(glm::cross(out, on)) <= width * std::max(glm::length(out), glm::length(on));
+}
+
 /// Leaves out the corners from which the outline runs back on itself, within `width`: the edges there cover
 /// nothing. Where it is back at the same place, the later corner goes, too.
 void dropSpikes(std::vector<glm::dvec3>& p, std::vector<int>& corners, double width) {
   const auto isTip = [&](std::size_t a, std::size_t b, std::size_t c) {
-    const glm::dvec3 out = p[b] - p[a], back = p[c] - p[b];
-    if (glm::dot(out, back) >= 0.0) return p[b] == p[c];
-    return glm::length(glm::cross(out, back)) <= width * std::max(glm::length(out), glm::length(back));
+    if (glm::dot(p[b] - p[a], p[c] - p[b]) >= 0.0) return p[b] == p[c];
+    return inLine(p[a], p[b], p[c], width);
   };
   std::size_t first = 0, end = 0;  // what is left
   for (std::size_t k = 0; k < p.size(); ++k) {
@@ -59,6 +65,24 @@ void dropSpikes(std::vector<glm::dvec3>& p, std::vector<int>& corners, double wi
     list.erase(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(first));
   };
   keep(p), keep(corners);
+}
+
+/// Outline::turns; all corners if fewer than three turn. Each edge is compared with the last corner that
+/// turns, so what a round side turns adds up.
+std::vector<int> turnsOf(const std::vector<glm::dvec3>& p, double width) {
+  const auto leftmost = std::ranges::min_element(p, [](const glm::dvec3& a, const glm::dvec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  });
+  const auto first = static_cast<int>(leftmost - p.begin()), n = static_cast<int>(p.size());
+  std::vector<int> turns{first};
+  for (int k = first + 1; k < first + n; ++k)
+    if (!inLine(p[turns.back()], p[k % n], p[(k + 1) % n], width)) turns.push_back(k % n);
+  if (turns.size() < 3) {
+    turns.resize(p.size());
+    std::iota(turns.begin(), turns.end(), 0);
+  }
+  std::ranges::sort(turns);
+  return turns;
 }
 
 /// The perimeter / the area; infinite without area.
@@ -114,10 +138,11 @@ Outline outlineOf(const Mesh& mesh, std::vector<int>& corners, double rounding) 
   const glm::dvec3 N = glm::abs(plane.N);
   const int dropped = N.z >= N.x && N.z >= N.y ? 2 : N.y >= N.x ? 1 : 0;
   const auto nearest = [](double x) { return static_cast<std::int64_t>(x + 0.5); };
-  for (const glm::dvec3& q : p)
-    outline.grid.push_back({nearest(q[(dropped + 1) % 3]), nearest(q[(dropped + 2) % 3])});
+  outline.turns = turnsOf(p, bound.arithmetic());
+  for (const int k : outline.turns)
+    outline.grid.push_back({nearest(p[k][(dropped + 1) % 3]), nearest(p[k][(dropped + 2) % 3])});
   Int128 area = 0;
-  for (std::size_t i = 2; i < p.size(); ++i)
+  for (std::size_t i = 2; i < outline.grid.size(); ++i)
     area += turn(outline.grid[0], outline.grid[i - 1], outline.grid[i]);
   if (area < 0)
     for (LatticePoint& q : outline.grid) std::swap(q.x, q.y);
@@ -169,7 +194,7 @@ ConvexParts divideFaces(const Mesh& mesh) {
   parts.firstCorner.reserve(mesh.firstCorner.size());
   parts.face.reserve(mesh.firstCorner.size());
   parts.plane.reserve(mesh.firstCorner.size());
-  std::vector<int> corners;
+  std::vector<int> corners, part;
   for (int f = 0; f < mesh.faceCount(); ++f) {
     collapse(mesh, f, corners);
     Outline outline;
@@ -182,14 +207,23 @@ ConvexParts divideFaces(const Mesh& mesh) {
       addPart(parts, mesh, corners, f);
       continue;
     }
+    bool later = false;
     const auto addTriangles = [&](const auto& triangles) {
-      bool later = false;
-      for (const auto& [a, b, c] : triangles) {
-        addPart(parts, mesh, std::array{corners[a], corners[b], corners[c]}, f, later && outline.planar);
-        later = true;
+      for (const std::array<int, 3>& triangle : triangles) {
+        part.clear();
+        for (int k = 0; k < 3; ++k) {
+          const int from = triangle[k], next = (from + 1) % static_cast<int>(outline.turns.size());
+          part.push_back(corners[outline.turns[from]]);
+          if (triangle[(k + 1) % 3] != next) continue;
+          // A side of the face keeps the corners in the middle of it.
+          const auto n = static_cast<int>(corners.size());
+          for (int c = (outline.turns[from] + 1) % n; c != outline.turns[next]; c = (c + 1) % n)
+            part.push_back(corners[c]);
+        }
+        addPart(parts, mesh, part, f, std::exchange(later, true) && outline.planar);
       }
     };
-    if (corners.size() == 4)
+    if (outline.grid.size() == 4)
       addTriangles(cutQuad(outline.grid));
     else
       addTriangles(clipEars(outline.grid));

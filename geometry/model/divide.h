@@ -39,11 +39,12 @@ struct ConvexParts {
 /// Divides the faces that are bent or concave. The rule depends on the model only, never on a camera:
 /// - Of successive corners at one place, the first is kept. A spike, where the outline runs out and back on
 ///   itself, is left out.
-/// - A triangle, or a planar convex polygon, is one part. It keeps the corners on its straight sides, because
-///   neighbours may use them.
+/// - A triangle, or a planar convex polygon, is one part.
 /// - Any other quadrilateral is cut from corner 0 to 2, or from 1 to 3 if only that gives two triangles that
 ///   turn as the face does.
-/// - Any other face is cut into triangles by clipEars(), with all its corners.
+/// - Any other face is cut into triangles by clipEars().
+/// - A corner in the middle of a straight side, within the rounding of the arithmetic, decides nothing. Its
+///   part keeps it, because neighbours may use it.
 /// A face whose corners are all in line, or that has no vector area, covers nothing. It stays as it is, as
 /// one part. A face that crosses itself becomes triangles that may overlap.
 ///

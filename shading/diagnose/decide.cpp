@@ -162,8 +162,9 @@ Fit Diagnoser::fit(TurnWay turn, const std::vector<Predicted>& other, std::size_
 /// True if a row or a number explains what it must.
 bool Diagnoser::isTold(const Fit& fit) const {
   const bool isMistake = fit.first->meaning == Meaning::Wrong;
-  return fit.telling >= kFewTelling &&
-         fit.informative >= (tellsExactly() && !isMistake ? kExact : kInformative);
+  return fit.telling >= kFewTelling && fit.informative >= (!tellsExactly() ? kInformative
+                                                           : isMistake     ? kInformativeFlat
+                                                                           : kExact);
 }
 
 /// True if several faces, or values of smooth ones, tell a number from the row that fits best without it: the

@@ -30,7 +30,8 @@ namespace xnewell {
 ///    explains the picture, the picture is right.
 /// 5. A mistake must explain kInformative of the samples that tell: those where it, or the picture, is not
 ///    right. That guards against mistakes that are not in the list. With flat shading and one hue, to explain
-///    is to show the same stored value; elsewhere, edges of other programs leave some slack.
+///    is to show the same stored value, and a mistake must explain kInformativeFlat of them; elsewhere, edges
+///    of other programs leave some slack.
 /// 6. If the right program does not show the picture exactly, other numbers are searched for, one at a time
 ///    (numbers.cpp). A number that fits better than all rows is told if several faces tell it from the best
 ///    of these; one that fits as well as a mistake is told with it, and one that fits as well as what the
@@ -40,7 +41,7 @@ namespace xnewell {
 /// 8. If nothing fits, two rows at once are tried, and after them numbers in small steps.
 
 inline constexpr int kMostSamples = 3000;
-inline constexpr double kClass = 0.01, kInformative = 0.8;
+inline constexpr double kClass = 0.01, kInformative = 0.8, kInformativeFlat = 0.87;
 inline constexpr double kExplainsRight = 0.97;  ///< of the samples, before a picture is called right
 inline constexpr double kExact = 0.97;      ///< of the samples that tell, where each value must be the same
 inline constexpr std::size_t kThinned = 6;  ///< every sixth sample stands for all in a search

@@ -36,6 +36,40 @@ TEST_F(CommandTest, DiagnoseTellsTheMistake) {
   EXPECT_EQ(json.at("pixel").at("yours"), json.at("pixel").at("with_mistake"));
 }
 
+// R = 2 (N.L) (N - L) is not in the list. With it a row explains 82 % of the faces that tell, and that is no
+// name.
+TEST_F(CommandTest, DiagnoseHasNoNameForParenthesesInR) {
+  const std::string folder = XNEWELL_DATA_DIR "/../tests/data/diagnose/";
+  const auto end = runProgram({"diagnose",
+                               folder + "scene.json",
+                               folder + "parentheses.png",
+                               "--shade",
+                               "flat",
+                               "--eye",
+                               "1.5,2.5,9",
+                               "--look-at",
+                               "0.2,0.1,0",
+                               "--up",
+                               "0,1,0",
+                               "--fov",
+                               "30",
+                               "--ia",
+                               "0.2",
+                               "--ip",
+                               "0.7",
+                               "--ka",
+                               "0.9",
+                               "--kd",
+                               "0.9",
+                               "--ks",
+                               "0.4",
+                               "--n",
+                               "8",
+                               "--light=-1,1.3,1.1"});
+  EXPECT_EQ(end.status, 1) << end.err;
+  EXPECT_TRUE(end.out.starts_with("wrong, and none of my ")) << end.out;
+}
+
 // Two mistakes that are one by algebra are a class, and no bench tells them apart.
 TEST_F(CommandTest, DiagnoseTellsAClass) {
   ASSERT_EQ(
