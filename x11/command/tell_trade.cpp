@@ -52,10 +52,11 @@ nlohmann::ordered_json tellError(const AccuracyLimit& limit, const Options& opti
   const double off = errors.afterTable.rootMeanSquare;
   const bool within = off <= limit.rms && (!limit.wrong || errors.wrongFaces <= *limit.wrong);
   const auto [told, allowed] = toldApart(off, limit.rms);
-  const std::string why =
-      "nothing is left to choose. The RMS error is " + told + " in this view, " +
-      (off <= limit.rms ? "and " : "but ") + allowed +
-      " is allowed. Samples that show a wrong face: " + std::to_string(errors.wrongFaces) + '.';
+  std::string why = "nothing is left to choose. The RMS error is " + told + " in this view, " +
+                    (off <= limit.rms ? "and " : "but ") + allowed + " is allowed.";
+  if (limit.wrong)
+    why += " Samples that show a wrong face: " + std::to_string(errors.wrongFaces) + " of " +
+           std::to_string(*limit.wrong) + " allowed.";
   if (errors.samples > 0) std::cerr << "xnewell: " << why << '\n';
   return {{"limit", limitAsJson(limit)},      {"within", within}, {"chosen", nullptr}, {"rms", off},
           {"wrong_faces", errors.wrongFaces}, {"why", {why}}};
