@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cfloat>
+#include <cmath>
 
 #include "geometry/exact/two_doubles.h"
 
@@ -11,6 +12,8 @@ namespace xnewell {
 using Extended = long double;
 #else
 using Extended = TwoDoubles;
+inline TwoDoubles operator+(const TwoDoubles& x) { return x; }
+inline bool isfinite(const TwoDoubles& x) { return std::isfinite(x.high); }
 #endif
 
 }  // namespace xnewell
