@@ -10,9 +10,9 @@ namespace xnewell {
 
 namespace {
 
-using std::abs;  // and that of SoftExtended
+using std::abs;  // and that of two doubles
 
-/// What arithmetic of the rays may be off, as a share of a distance: a thousand times its rounding.
+/// What arithmetic of the rays may be off, as a share of a distance: far more than its rounding.
 constexpr double kArithmetic = 0x1p-54;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -43,7 +43,7 @@ Rays::Rays(const Scene& scene, const Camera& camera, const PictureSettings& sett
     for (std::size_t c = 2; c < corners.size(); ++c)
       twiceArea += glm::cross(Vec{scene.mesh.points[corners[c - 1]]} - first,
                               Vec{scene.mesh.points[corners[c]]} - first);
-    const Extended length = glm::length(twiceArea);
+    const TwoDoubles length = glm::length(twiceArea);
     if (!(length > 0)) continue;
     Part part{.face = parts.face[k], .part = k, .N = twiceArea / length, .play = 0};
     const Vec N = glm::abs(part.N);
@@ -56,12 +56,13 @@ Rays::Rays(const Scene& scene, const Camera& camera, const PictureSettings& sett
 /// The box of the projected corners, or the whole picture if a corner is not in front of the eye.
 void Rays::bound(Part& part) const {
   part.x1 = width_, part.y1 = height_;
-  Extended x0 = width_, x1 = 0, y0 = height_, y1 = 0;
-  const Vec centre = vrp_ + Extended{0.5} * (low_.x + high_.x) * u_ + Extended{0.5} * (low_.y + high_.y) * v_;
+  TwoDoubles x0 = width_, x1 = 0, y0 = height_, y1 = 0;
+  const Vec centre =
+      vrp_ + TwoDoubles{0.5} * (low_.x + high_.x) * u_ + TwoDoubles{0.5} * (low_.y + high_.y) * v_;
   const Vec along = centre - prp_;  // of a parallel view
   for (const int c : scene_.parts.part(part.part)) {
     const Vec p = Vec{scene_.mesh.points[c]} - vrp_, e = prp_ - vrp_;
-    const Extended depth = glm::dot(e, n_), n = glm::dot(p, n_);
+    const TwoDoubles depth = glm::dot(e, n_), n = glm::dot(p, n_);
     Vec on;
     if (perspective_) {
       if (depth - n <= 1e-9 * depth) return;
@@ -69,42 +70,44 @@ void Rays::bound(Part& part) const {
     } else {
       on = p - along * (n / glm::dot(along, n_));
     }
-    const Extended x = (glm::dot(on, u_) - low_.x) / (high_.x - low_.x) * width_;
-    const Extended y = (high_.y - glm::dot(on, v_)) / (high_.y - low_.y) * height_;
+    const TwoDoubles x = (glm::dot(on, u_) - low_.x) / (high_.x - low_.x) * width_;
+    const TwoDoubles y = (high_.y - glm::dot(on, v_)) / (high_.y - low_.y) * height_;
     x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
   }
   part.x0 = x0 - 1, part.x1 = x1 + 1, part.y0 = y0 - 1, part.y1 = y1 + 1;
 }
 
-Rays::Ray Rays::ray(Extended x, Extended y) const {
-  const Extended u = low_.x + (high_.x - low_.x) * x / width_, v = high_.y - (high_.y - low_.y) * y / height_;
+Rays::Ray Rays::ray(TwoDoubles x, TwoDoubles y) const {
+  const TwoDoubles u = low_.x + (high_.x - low_.x) * x / width_,
+                   v = high_.y - (high_.y - low_.y) * y / height_;
   const Vec on = vrp_ + u * u_ + v * v_;
   if (perspective_) return {prp_, glm::normalize(on - prp_)};
-  const Vec centre = vrp_ + Extended{0.5} * (low_.x + high_.x) * u_ + Extended{0.5} * (low_.y + high_.y) * v_;
+  const Vec centre =
+      vrp_ + TwoDoubles{0.5} * (low_.x + high_.x) * u_ + TwoDoubles{0.5} * (low_.y + high_.y) * v_;
   const Vec along = centre - prp_;
   return {on - along, glm::normalize(along)};
 }
 
 std::optional<Rays::Hit> Rays::meet(const Part& part, const Ray& ray) const {
   const std::span<const int> corners = scene_.parts.part(part.part);
-  const Extended slope = glm::dot(part.N, ray.along);
+  const TwoDoubles slope = glm::dot(part.N, ray.along);
   if (slope == 0 || (cull_ == Cull::Back && slope > 0)) return {};
   bool left = false, right = false;
   Vec a = Vec{scene_.mesh.points[corners.back()]} - ray.from;
   for (const int c : corners) {
     const Vec b = Vec{scene_.mesh.points[c]} - ray.from;
-    const Extended side = glm::dot(ray.along, glm::cross(a, b));
+    const TwoDoubles side = glm::dot(ray.along, glm::cross(a, b));
     left |= side > 0, right |= side < 0;
     if (left && right) return {};
     a = b;
   }
-  const Extended t = glm::dot(part.N, Vec{scene_.mesh.points[corners[0]]} - ray.from) / slope;
-  const Extended n = glm::dot(ray.from + t * ray.along - vrp_, n_);
+  const TwoDoubles t = glm::dot(part.N, Vec{scene_.mesh.points[corners[0]]} - ray.from) / slope;
+  const TwoDoubles n = glm::dot(ray.from + t * ray.along - vrp_, n_);
   if (n > front_ || n < back_ || (perspective_ && t <= 0)) return {};
   return Hit{part.face, t, part.play / abs(slope)};
 }
 
-std::optional<Rays::Hit> Rays::nearest(Extended x, Extended y) const {
+std::optional<Rays::Hit> Rays::nearest(TwoDoubles x, TwoDoubles y) const {
   const Ray along = ray(x, y);
   std::optional<Hit> nearest;
   for (const Part& part : parts_) {
@@ -115,7 +118,7 @@ std::optional<Rays::Hit> Rays::nearest(Extended x, Extended y) const {
   return nearest;
 }
 
-std::optional<Rays::Hit> Rays::hit(int face, Extended x, Extended y) const {
+std::optional<Rays::Hit> Rays::hit(int face, TwoDoubles x, TwoDoubles y) const {
   const Ray along = ray(x, y);
   std::optional<Hit> nearest;
   for (auto part = std::ranges::lower_bound(parts_, face, {}, &Part::face);
@@ -126,13 +129,13 @@ std::optional<Rays::Hit> Rays::hit(int face, Extended x, Extended y) const {
   return nearest;
 }
 
-Extended Rays::z(const Hit& hit, Extended x, Extended y) const {
-  const Extended pixel = (high_.x - low_.x) / width_, D = glm::dot(prp_ - vrp_, n_);
-  const Extended depth = hit.t * abs(glm::dot(ray(x, y).along, n_));
+TwoDoubles Rays::z(const Hit& hit, TwoDoubles x, TwoDoubles y) const {
+  const TwoDoubles pixel = (high_.x - low_.x) / width_, D = glm::dot(prp_ - vrp_, n_);
+  const TwoDoubles depth = hit.t * abs(glm::dot(ray(x, y).along, n_));
   return (perspective_ ? D * D / depth : -depth) / pixel;
 }
 
-glm::dvec3 Rays::point(Extended x, Extended y, Extended t) const {
+glm::dvec3 Rays::point(TwoDoubles x, TwoDoubles y, TwoDoubles t) const {
   const Ray along = ray(x, y);
   return along.from + t * along.along;
 }
@@ -140,14 +143,14 @@ glm::dvec3 Rays::point(Extended x, Extended y, Extended t) const {
 namespace {
 
 /// The middle and the corners of a square of this half side.
-std::array<std::array<Extended, 2>, 5> around(Extended s) {
+std::array<std::array<TwoDoubles, 2>, 5> around(TwoDoubles s) {
   return {{{0, 0}, {s, s}, {-s, s}, {s, -s}, {-s, -s}}};
 }
 
 /// True if face `shown` may look as near as face `nearest` at (x, y), because the corners of each were moved
 /// by half a step of the grid.
-bool isDoubtful(const Rays& rays, int shown, int nearest, Extended x, Extended y, Extended zStep) {
-  Extended mine = -kInfinity, its = kInfinity;
+bool isDoubtful(const Rays& rays, int shown, int nearest, TwoDoubles x, TwoDoubles y, TwoDoubles zStep) {
+  TwoDoubles mine = -kInfinity, its = kInfinity;
   for (const auto& [dx, dy] : around(0.5 / kGrid)) {
     if (const auto hit = rays.hit(shown, x + dx, y + dy)) mine = std::max(mine, rays.z(*hit, x + dx, y + dy));
     if (const auto hit = rays.hit(nearest, x + dx, y + dy)) its = std::min(its, rays.z(*hit, x + dx, y + dy));
@@ -178,7 +181,7 @@ JudgedByRays judgedByRays(const Picture& picture) {
         }
         const std::optional<Rays::Hit> mine = rays.hit(face, i + 0.5 + dx, j + 0.5 + dy);
         if (!mine) continue;
-        const Extended apart = mine->t - near->t;
+        const TwoDoubles apart = mine->t - near->t;
         const bool one = apart <= mine->play + near->play + kArithmetic * abs(near->t);
         behind = std::min(behind, one ? 0.0 : static_cast<double>(apart / abs(near->t)));
       }

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/exact/extended.h"
+#include "geometry/exact/two_doubles.h"
 #include "geometry/view/camera.h"
 #include "geometry/view/project.h"
 #include "shading/picture/picture.h"
@@ -11,8 +11,8 @@
 namespace xnewell {
 
 /// What rays from the eye see of a scene. They judge pictures at extremes. They compute from the model's
-/// coordinates with 64 bits, and use no matrix, grid, plane record or tolerance of the walk that made the
-/// picture.
+/// coordinates with sums of two doubles, and use no matrix, grid, plane record or tolerance of the walk that
+/// made the picture.
 class Rays {
  public:
   /// Rays end at the front and the back plane only if the user gave these: the planes that the program
@@ -21,33 +21,33 @@ class Rays {
 
   /// A face that a ray meets.
   struct Hit {
-    int face;    ///< face number
-    Extended t;  ///< how far along the ray, in world units
+    int face;      ///< face number
+    TwoDoubles t;  ///< how far along the ray, in world units
     /// How far along the ray the plane may move if the file's rounding moves the corners.
-    Extended play;
+    TwoDoubles play;
   };
   /// The nearest face at a place of the picture, x and y in pixels; nothing if the ray meets no face.
-  [[nodiscard]] std::optional<Hit> nearest(Extended x, Extended y) const;
+  [[nodiscard]] std::optional<Hit> nearest(TwoDoubles x, TwoDoubles y) const;
   /// The place where the ray at (x, y) meets a face; nothing if it does not meet it.
-  [[nodiscard]] std::optional<Hit> hit(int face, Extended x, Extended y) const;
+  [[nodiscard]] std::optional<Hit> hit(int face, TwoDoubles x, TwoDoubles y) const;
   /// The z of a hit of the ray at (x, y), in pixels of the view plane, larger where it is nearer: 1 / depth
   /// in perspective, as project() measures z, but from another zero.
-  [[nodiscard]] Extended z(const Hit& hit, Extended x, Extended y) const;
+  [[nodiscard]] TwoDoubles z(const Hit& hit, TwoDoubles x, TwoDoubles y) const;
   /// The point at t along the ray at (x, y), in world units.
-  [[nodiscard]] glm::dvec3 point(Extended x, Extended y, Extended t) const;
+  [[nodiscard]] glm::dvec3 point(TwoDoubles x, TwoDoubles y, TwoDoubles t) const;
 
  private:
-  using Vec = glm::vec<3, Extended>;
+  using Vec = glm::vec<3, TwoDoubles>;
   struct Ray {
     Vec from, along;  ///< `along` is a unit vector
   };
   struct Part {
     int face, part;
-    Vec N;                                    ///< unit
-    Extended play;                            ///< how far the file's rounding moves the plane, along N
-    Extended x0 = 0, x1 = 0, y0 = 0, y1 = 0;  ///< pixels that it may cover
+    Vec N;                                      ///< unit
+    TwoDoubles play;                            ///< how far the file's rounding moves the plane, along N
+    TwoDoubles x0 = 0, x1 = 0, y0 = 0, y1 = 0;  ///< pixels that it may cover
   };
-  [[nodiscard]] Ray ray(Extended x, Extended y) const;
+  [[nodiscard]] Ray ray(TwoDoubles x, TwoDoubles y) const;
   [[nodiscard]] std::optional<Hit> meet(const Part& part, const Ray& ray) const;
   void bound(Part& part) const;
 
@@ -56,7 +56,7 @@ class Rays {
   Vec vrp_, prp_;
   bool perspective_;
   glm::dvec2 low_, high_;  ///< the window
-  Extended front_, back_;
+  TwoDoubles front_, back_;
   int width_, height_;
   Cull cull_;
   std::vector<Part> parts_;

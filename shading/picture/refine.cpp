@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
 
 #include "geometry/exact/give_up.h"
 #include "geometry/exact/unit.h"
-#include "shading/picture/misfit.h"
 
 namespace xnewell {
 
@@ -33,6 +34,72 @@ std::uint64_t keyOf(int a, int b) {
   return std::uint64_t(std::max(a, b)) << 32 | static_cast<std::uint32_t>(std::min(a, b));
 }
 
+constexpr int kAlong = 8;  // steps of the samples along an edge
+constexpr int kSamples = (kAlong + 1) * (kAlong + 2) / 2;
+constexpr std::size_t kTogether = 64;  // triangles; the terms of their samples fit into the cache
+
+/// A triangle and what shading knows about it.
+struct Facet {
+  std::array<glm::dvec3, 3> at{}, N{};  ///< at its corners; N of any length: made unit after interpolation
+  glm::dvec3 centre{0};                 ///< the place that flat shading evaluates
+  int material = -1;
+};
+
+/// The shares of the corners at each sample, a grid over the triangle.
+const std::vector<glm::dvec3>& grid() {
+  static const std::vector<glm::dvec3> shares = [] {
+    std::vector<glm::dvec3> all;
+    for (int i = 0; i <= kAlong; ++i)
+      for (int j = 0; i + j <= kAlong; ++j) all.push_back(glm::dvec3{i, j, kAlong - i - j} / double(kAlong));
+    return all;
+  }();
+  return shares;
+}
+
+/// For each facet, the most by which its shading differs from the illumination at a sample, in any channel,
+/// for the front and the back. For Gouraud shading, it compares the interpolated I with the I of the
+/// interpolated normal, made a unit vector as in Phong shading; for flat shading, the I of the centre with the
+/// I of each place.
+std::vector<double> misfitsOf(std::span<const Facet> facets, const Lighting& lighting, bool flat) {
+  std::vector<double> most(facets.size(), 0.0);
+  Terms diffuse, specular;
+  Intensities intensities;
+  for (std::size_t first = 0, end = 0; first < facets.size(); first = end) {
+    MayGiveUp::check();
+    end = std::min(facets.size(), first + kTogether);
+    ShadingPoints samples;
+    const auto add = [&](const glm::dvec3& at, const glm::dvec3& N, int material) {
+      samples.at.push_back(at), samples.N.push_back(unit(N)), samples.material.push_back(material);
+    };
+    for (const Facet& f : facets.subspan(first, end - first)) {
+      for (const glm::dvec3& share : grid())
+        add(share.x * f.at[0] + share.y * f.at[1] + share.z * f.at[2],
+            share.x * f.N[0] + share.y * f.N[1] + share.z * f.N[2], f.material);
+      if (flat) add(f.centre, f.N[0], f.material);
+    }
+    for (int channel = 0; channel < lighting.channels; ++channel) {
+      diffuseIntensities(diffuse, samples, lighting, channel);
+      specularIntensities(specular, samples, lighting, channel);
+      addTerms(intensities, diffuse, specular, samples, lighting, channel);
+      const FrontBack<double>* I = intensities.I.data();
+      for (std::size_t k = first; k < end; ++k, I += kSamples + flat) {
+        // The grid has the corner with the first share alone last, and that with the third alone first.
+        const FrontBack<double>&A = I[flat ? kSamples : kSamples - 1], &B = I[flat ? kSamples : kAlong],
+                           &C = I[flat ? kSamples : 0];
+        for (int sample = 0; sample < kSamples; ++sample) {
+          const glm::dvec3& share = grid()[sample];
+          const auto apart = [&](double FrontBack<double>::*side) {
+            return std::abs(I[sample].*side -
+                            (share.x * A.*side + share.y * B.*side + share.z * C.*side));
+          };
+          most[k] = std::max({most[k], apart(&FrontBack<double>::front), apart(&FrontBack<double>::back)});
+        }
+      }
+    }
+  }
+  return most;
+}
+
 struct Triangle {
   std::array<int, 3> point{},
       corner{};  ///< `point` is the first one with its coordinates; `corner` is an index into Mesh::corners
@@ -48,7 +115,7 @@ class Refiner {
       : old_{parts},
         faces_{faces},
         settings_{settings},
-        misfit_{lighting, faces != nullptr, settings.tolerance},
+        lighting_{lighting},
         divided_(parts.count(), false) {
     result_.mesh = mesh;
     if (vertices != nullptr) {
@@ -100,7 +167,7 @@ class Refiner {
   const ConvexParts& old_;
   const ShadingPoints* faces_;
   RefineSettings settings_;
-  Misfit misfit_;
+  const Lighting& lighting_;
   std::vector<bool> divided_;        ///< by part
   std::vector<Triangle> triangles_;  ///< in the order of their parts
   std::vector<glm::dvec3> N_;  ///< of vertices, as interpolated: not unit vectors, for their lengths matter
@@ -167,9 +234,9 @@ bool Refiner::markMissed() {
       tested.push_back(static_cast<int>(k));
       facets.push_back(facet(triangles_[k]));
     }
-  const std::vector<bool> missed = misfit_(facets);
+  const std::vector<double> misfits = misfitsOf(facets, lighting_, flat());
   for (std::size_t k = 0; k < tested.size(); ++k) {
-    if (!missed[k]) continue;
+    if (misfits[k] <= settings_.tolerance) continue;
     const Triangle& t = triangles_[tested[k]];
     const int edge = longest(t);
     if (t.halvings < settings_.halvings && isHalvable(t, edge))

@@ -11,9 +11,10 @@
 
 namespace xnewell {
 
-/// Adaptive subdivision. Where flat or Gouraud shading misses the illumination by more than a tolerance
-/// (misfit.h), the polygon is divided until it does not. All other polygons stay as they are. So the rim of a
-/// spot's cone, and a highlight inside a large polygon, appear in the right place.
+/// Adaptive subdivision. Where flat or Gouraud shading misses the illumination by more than a tolerance at a
+/// sample, the polygon is divided until it does not. All other polygons stay as they are. So the rim of a
+/// spot's cone, and a highlight inside a large polygon, appear in the right place. The samples are a grid of
+/// eight steps along each edge. Light that falls between all samples of a triangle is missed.
 ///
 /// A polygon is divided into the fan of triangles that shading interpolates over (face_triangles.h). A
 /// triangle is halved across its longest edge. Every other triangle with that edge is cut there too, even if
@@ -29,7 +30,7 @@ namespace xnewell {
 
 /// Why the division ended.
 enum class RefineLimit {
-  None,      ///< every part is within the tolerance, at every place
+  None,      ///< every part is within the tolerance, at every sample
   Halvings,  ///< some parts are not, but are as small as they may become
   Parts,     ///< the next round would have made too many parts
 };

@@ -8,6 +8,23 @@
 
 namespace xnewell {
 
+/// The front of a trade, and the choice on it.
+
+/// Errors are equal if the larger is at most so many times the smaller.
+inline constexpr double kErrorTie = 1.05;
+
+/// The indices of those for which no other is cheaper and more accurate (by Measured::elsewhere), the
+/// cheapest first. Of two that are equally fast, as far as their times tell, the more accurate counts; of two
+/// that are equally accurate (kErrorTie), the faster.
+[[nodiscard]] std::vector<int> frontOf(const std::vector<Measured>& measured);
+
+/// True if any of them has a time.
+[[nodiscard]] bool areTimed(const std::vector<Measured>& some);
+
+/// A trade that is not far enough for combinations, with the single short cuts in their place; without any
+/// if these have no times either.
+[[nodiscard]] Trade withSingles(Trade trade);
+
 /// The cheapest configuration that is accurate enough, and why it is this one.
 struct Chosen {
   int combination = -1;   ///< index into Trade::combinations; -1 if there are none
@@ -22,25 +39,8 @@ struct Chosen {
 /// different error.
 inline constexpr double kSpare = 0.03;
 
-/// Times are equal if the larger is at most so many times the smaller, and so are errors. Chance must not
-/// decide between equals: a fixed rule does. Nor may chance decide which times are equal, though many are
-/// close together. So the equally fast ones end at the widest gap between their times; the first time beyond
-/// the gap may be the first beyond the tie, or kTimeFar.
-inline constexpr double kTimeTie = 1.15, kTimeFar = 1.3, kErrorTie = 1.05;
-
-/// True if a combination stays within the limit on all views, with kSpare for its RMS error.
-[[nodiscard]] bool keeps(const Measured& one, const AccuracyLimit& limit);
-
-/// Leaves out of some combinations those that have all changes of another one and more, though that one takes
-/// at most `saves` times as long. What has some of the changes of one that is left stays too, so that a lucky
-/// time does not put more changes in the place of fewer.
-[[nodiscard]] std::vector<const Measured*> usefulOf(std::vector<const Measured*> some, double saves);
-
-/// The choice among the combinations of a trade whose times are not rough. Of those that keep the limit it is
-/// the fastest. Of equally fast ones it is the one with the fewest changes, of these the most accurate, and
-/// of equally accurate ones the first by the axes of the trade and their values. If none keeps the limit, it
-/// is the most accurate; of those with the same errors it is the fastest, and then the one with the fewest
-/// changes.
+/// The cheapest point of the front of those combinations that keep the limit: on all views with kSpare for
+/// the RMS error, on the user's own view for wrong faces. If none does, the most accurate of all.
 [[nodiscard]] Chosen chooseWithin(const Trade& trade, const AccuracyLimit& limit);
 
 /// Two numbers in two digits, or in as many as it takes to tell them apart: {"0.012", "0.01"}.

@@ -22,7 +22,7 @@ constexpr std::array kTurns{glm::dvec2{-1.5, 1.1}, glm::dvec2{1.7, -0.9}, glm::d
 std::uint8_t groundOf(const PictureSettings& settings) { return CellPlan{settings.table.kind}[Cell::Well]; }
 Palette paletteOf(const Picture& picture) { return picture.palette(CellPlan{picture.settings().table.kind}); }
 
-constexpr Glance kNoPicture{0, {}, std::numeric_limits<double>::infinity(), 0};
+constexpr Glance kNoPicture{0, {}, std::numeric_limits<double>::infinity()};
 
 /// The cells of a palette that the picture or the interface needs: those that do not follow the others. Black
 /// and white do not count, because the server has them.
@@ -52,22 +52,6 @@ Picture held(const Picture& picture, std::uint8_t ground) {
   PictureSettings settings = picture.settings();
   settings.camera = heldCamera(picture);
   return PictureCache{picture}.make(settings, ground);
-}
-
-/// A picture of so many faces has too many pairs.
-constexpr std::size_t kMostFaces = 20'000;
-
-/// The proof that the order is right, if it may be; nothing for an order that needs none.
-std::optional<PairCheck> pairsOf(const Picture& picture, std::int64_t wrongFaces) {
-  const PictureSettings& settings = picture.settings();
-  const OrderRow& order = rowOf(settings.order);
-  const std::vector<Fragment>& fragments = picture.sorted().fragments;
-  const std::size_t faces = picture.snapped().faces.size();
-  if (order.exact || order.bySample || wrongFaces > 0 || fragments.size() != faces || faces > kMostFaces)
-    return std::nullopt;
-  std::vector<int> painted;
-  for (const Fragment& fragment : fragments) painted.push_back(fragment.face);
-  return checkPairs(picture.withPlanes().snapped(), painted, settings.width, settings.height);
 }
 
 Errors briefErrors(const Comparison& comparison) {
@@ -132,19 +116,13 @@ Measure::Polygons& Measure::polygons(int divisions, const Sight& sight, const Pi
   return polygons_.emplace(std::pair{divisions, &sight}, std::move(made)).first->second;
 }
 
-void Measure::addErrors(Glance& glance, const Picture& picture, int divisions, const Sight& sight,
-                        bool countsWrong) {
+double Measure::rmsOf(const Picture& picture, const Sight& sight) {
   const Palette palette = paletteOf(picture);
-  // For the intensity alone, the reference may stand for the polygons.
-  const TrueView& faces = countsWrong ? *polygons(divisions, sight, picture).view : *sight.reference;
-  const Comparison comparison{picture, *sight.reference, palette, faces};
-  const Spread errors = spreadOf(comparison.intensityErrors(TableSide::After));
-  glance.rms = std::max(glance.rms, errors.rootMeanSquare);
-  if (!countsWrong) return;
-  glance.wrong = std::max(glance.wrong, comparison.wrongFaceCount());
+  const Comparison comparison{picture, *sight.reference, palette};
+  return spreadOf(comparison.intensityErrors(TableSide::After)).rootMeanSquare;
 }
 
-Glance Measure::glance(const Configuration& configuration, bool countsWrong) try {
+Glance Measure::glance(const Configuration& configuration) try {
   constexpr double kEnough = 6;  // ms
   Glance glance;
   PictureSettings settings = configuration.settings;
@@ -155,7 +133,7 @@ Glance Measure::glance(const Configuration& configuration, bool countsWrong) try
     const double start = processorMs();
     const Picture picture = pictures.make(settings, groundOf(settings));
     const double ms = std::max(processorMs() - start, 1e-6);
-    if (k == 0) addErrors(glance, picture, configuration.divisions, here_, countsWrong);
+    if (k == 0) glance.rms = rmsOf(picture, here_);
     if (k == 0 || ms < glance.ms) {
       const StageTimes& t = picture.times();  // by the clock on the wall
       const double share = ms / std::max(t.total(), 1e-6);
@@ -167,15 +145,6 @@ Glance Measure::glance(const Configuration& configuration, bool countsWrong) try
     }
     all += ms;
   }
-  return glance;
-} catch (const std::runtime_error&) {
-  return kNoPicture;
-}
-
-Glance Measure::glanceElsewhere(const Configuration& configuration, bool countsWrong) try {
-  Glance glance;
-  for (const Sight& other : others_)
-    addErrors(glance, painted(configuration, other.camera), configuration.divisions, other, countsWrong);
   return glance;
 } catch (const std::runtime_error&) {
   return kNoPicture;
@@ -223,16 +192,9 @@ Measured Measure::measured(const Configuration& configuration, bool whole) {
     if (!faces.off) faces.off = distanceFromPatches(*faces.view);
     measured.here.patches = *faces.off;
   }
-  measured.pairs = pairsOf(picture, measured.here.wrongFaces);
   measured.samePixels = picture.image().pixels == asked_.image().pixels && palette == paletteOf(asked_);
-  for (const Sight& other : others_) {
-    const Picture turned = painted(configuration, other.camera);
-    // Which face shows does not matter here, so the reference may stand for the polygons.
-    const Palette colors = paletteOf(turned);
-    const Comparison beside{turned, *other.reference, colors};
-    const Spread errors = spreadOf(beside.intensityErrors(TableSide::After));
-    measured.elsewhere = std::max(measured.elsewhere, errors.rootMeanSquare);
-  }
+  for (const Sight& other : others_)
+    measured.elsewhere = std::max(measured.elsewhere, rmsOf(painted(configuration, other.camera), other));
   return measured;
 }
 

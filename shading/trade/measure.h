@@ -24,10 +24,9 @@ class Stages {
 
 /// What one run of a configuration tells.
 struct Glance {
-  double ms = 0;           ///< of the processor
-  StageTimes stages;       ///< their sum is `ms`
-  double rms = 0;          ///< the error of the intensity after the table; infinite if there is no picture
-  std::int64_t wrong = 0;  ///< samples that show a wrong face, if they are counted
+  double ms = 0;      ///< of the processor
+  StageTimes stages;  ///< their sum is `ms`
+  double rms = 0;     ///< the error of the intensity after the table; infinite if there is no picture
 };
 
 /// Measures configurations of one scene: their errors on the user's view and on other views, and what they
@@ -63,9 +62,7 @@ class Measure {
   }
   /// One picture of the user's view, with its error. The time is the least of up to nine runs if they are
   /// short.
-  [[nodiscard]] virtual Glance glance(const Configuration& configuration, bool countsWrong);
-  /// The largest errors on the other views, without times.
-  [[nodiscard]] virtual Glance glanceElsewhere(const Configuration& configuration, bool countsWrong);
+  [[nodiscard]] virtual Glance glance(const Configuration& configuration);
   /// Makes the picture as if it were the first. Returns the processor's time in milliseconds.
   virtual double run(const Configuration& configuration, Stages& stages);
 
@@ -84,8 +81,9 @@ class Measure {
     std::optional<std::optional<PatchDistance>> off;  ///< nothing as long as nobody asked for it
   };
   [[nodiscard]] Polygons& polygons(int divisions, const Sight& sight, const Picture& picture);
-  /// The errors of a picture of a view, for a Glance.
-  void addErrors(Glance& glance, const Picture& picture, int divisions, const Sight& sight, bool countsWrong);
+  /// The RMS error of a picture's intensity after the table. For the intensity alone, the reference may stand
+  /// for the polygons.
+  [[nodiscard]] static double rmsOf(const Picture& picture, const Sight& sight);
   /// `keepsFaces` if the reference may stand for the polygons of the set-up in every respect.
   [[nodiscard]] Sight sightOf(const CameraSettings& camera, const PictureSettings& settings, bool keepsFaces);
 

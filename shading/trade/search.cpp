@@ -15,11 +15,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Candidates that promise less are left.
 constexpr double kHopeless = 2;
-/// What keeps the limit, but is slower than the fastest by more, is not looked at from elsewhere.
-constexpr double kSlow = 1.7;
 /// A change brings nothing if it is at most so many times as slow without it.
 constexpr double kIdle = 1.1;
-static_assert(kIdle * kNearFastest < kSlow);
 
 /// How costly a value is before anything is known: a step doubles the time.
 int costOf(const Axis& axis, double value) {
@@ -42,8 +39,7 @@ std::array<double, 4> stagesOf(const StageTimes& t) { return {t.shade, t.transfo
 
 double Search::Look::rms() const { return std::sqrt(square); }
 
-Search::Search(Measure& measure, std::vector<Axis> axes, std::optional<AccuracyLimit> within)
-    : measure_{measure}, limit_{within} {
+Search::Search(Measure& measure, std::vector<Axis> axes) : measure_{measure} {
   for (Axis& axis : axes) {
     Dial dial{axis, axis.others};
     dial.values.push_back(axis.now);
@@ -113,7 +109,6 @@ Search::Effect Search::effectOf(const Move& move, const Look& from) const {
   if (back.known && there.known) {
     for (std::size_t s = 0; s < guess.stages.size(); ++s) guess.stages[s] = back.stages[s] * there.stages[s];
     guess.square = back.square + there.square;
-    guess.wrong = back.wrong + there.wrong;
     return guess;
   }
   const double a = dial.values[move.from], b = dial.values[move.to];
@@ -129,13 +124,12 @@ Search::Look Search::after(const Look& from, const Effect& effect) {
   Look to;
   for (std::size_t s = 0; s < to.stages.size(); ++s) to.stages[s] = from.stages[s] * effect.stages[s];
   to.square = std::max(from.square + effect.square, kLeastGuess * from.square);
-  to.wrong = std::max(0.0, from.wrong + effect.wrong);
   return to;
 }
 
 void Search::learn(const Move& move, const Look& from, const Look& to) {
   const auto observed = [](const Look& a, const Look& b) {
-    Effect effect{.known = true, .square = b.square - a.square, .wrong = b.wrong - a.wrong};
+    Effect effect{.known = true, .square = b.square - a.square};
     const double floor = 0.005 * (a.ms() + b.ms());  // a stage that takes no time tells no ratio
     for (std::size_t s = 0; s < effect.stages.size(); ++s)
       effect.stages[s] = (b.stages[s] + floor) / (a.stages[s] + floor);
@@ -152,27 +146,15 @@ double Search::leastMs(double rms) const {
   return least;
 }
 
-double Search::excess(double rms, double wrong) const {
-  double most = std::max(1.0, rms / ((1 - kSpare) * limit_->rms));
-  if (limit_->wrong) most = std::max(most, (wrong + 1) / (static_cast<double>(*limit_->wrong) + 1));
-  return most;
-}
-
 double Search::promise(const Look& look) const {
-  if (!limit_) {
-    const double least = leastMs(look.rms());
-    // What would be more accurate than anything comes first, the cheap before the dear.
-    return least == kInfinity ? 1e-3 * look.ms() / nodes_.front().look.ms() : look.ms() / least;
-  }
-  const double over = excess(look.rms(), look.wrong);
-  if (least_ > 0) return look.ms() / least_ * over * over;
-  return 1e-3 * std::sqrt(look.ms() / nodes_.front().look.ms()) * over * over;
+  const double least = leastMs(look.rms());
+  // What would be more accurate than anything comes first, the cheap before the dear.
+  return least == kInfinity ? 1e-3 * look.ms() / nodes_.front().look.ms() : look.ms() / least;
 }
 
 bool Search::makesIdle(const Node& simple, const Node& other) const {
   return &simple != &other && simple.look.ms() <= kIdle * other.look.ms() &&
-         simple.look.rms() <= kErrorTie * other.look.rms() && simple.look.wrong <= other.look.wrong &&
-         isPart(simple.key, other.key);
+         simple.look.rms() <= kErrorTie * other.look.rms() && isPart(simple.key, other.key);
 }
 
 bool Search::isPart(const Key& simple, const Key& other) const {
@@ -183,15 +165,14 @@ bool Search::isPart(const Key& simple, const Key& other) const {
 }
 
 bool Search::helps(const Look& from, const Look& to) {
-  return kErrorTie * to.ms() < from.ms() || kErrorTie * to.rms() < from.rms() || to.wrong < from.wrong;
+  return kErrorTie * to.ms() < from.ms() || kErrorTie * to.rms() < from.rms();
 }
 
 Search::Pick Search::pick() {
   for (const int k : nodeOfTried_)
     if (!nodes_[k].idle) expand(k);
   Pick best;
-  // As long as nothing keeps the limit, nothing is hopeless.
-  double least = limit_ && least_ == 0 ? kInfinity : kHopeless;
+  double least = kHopeless;
   for (const int k : nodeOfTried_)
     for (const Move& move : nodes_[k].moves) {
       if (nodes_[k].idle) break;
@@ -205,31 +186,9 @@ Search::Pick Search::pick() {
   return best;
 }
 
-Search::Pick Search::pickBeside() {
-  if (!limit_ || least_ == 0) return {};
-  for (const int k : within(kNearFastest, kIdle)) {
-    const int from = nodeOfTried_[k];
-    expand(from);
-    for (const Move& move : nodes_[from].moves) {
-      if (nodes_[move.node].seen) continue;
-      const Look& look = nodes_[from].look;
-      if (move.to == dials_[move.dial].now || promise(after(look, effectOf(move, look))) < kHopeless)
-        return {from, move};
-    }
-  }
-  return {};
-}
-
 void Search::take(int node, Measured measured, const Look& look) {
   nodes_[node].seen = true;
   nodes_[node].look = look;
-  if (limit_ && excess(look.rms(), look.wrong) <= 1 && (least_ == 0 || look.ms() < kSlow * least_)) {
-    const Glance turned = measure_.glanceElsewhere(measured.configuration, limit_->wrong.has_value());
-    measured.elsewhere = turned.rms, measured.wrongElsewhere = turned.wrong;
-    nodes_[node].look.square = std::max(look.square, turned.rms * turned.rms);
-    nodes_[node].look.wrong = std::max(look.wrong, static_cast<double>(turned.wrong));
-    if (keeps(measured, *limit_) && (least_ == 0 || look.ms() < least_)) least_ = look.ms();
-  }
   for (const int other : nodeOfTried_) {
     nodes_[node].idle = nodes_[node].idle || makesIdle(nodes_[other], nodes_[node]);
     nodes_[other].idle = nodes_[other].idle || makesIdle(nodes_[node], nodes_[other]);
@@ -248,7 +207,7 @@ void Search::know(const Measured& measured) {
   const int node = nodeOf(key);
   if (nodes_[node].seen) return;
   const double rms = std::max(measured.here.afterTable.rootMeanSquare, measured.elsewhere);
-  const Look look{stagesOf(measured.cost.stages), rms * rms, static_cast<double>(measured.here.wrongFaces)};
+  const Look look{stagesOf(measured.cost.stages), rms * rms};
   if (measured.configuration.changes.size() == 1)
     for (int k = 0; k < static_cast<int>(dials_.size()); ++k)
       if (key[k] != dials_[k].now) learn({k, dials_[k].now, key[k], node}, nodes_.front().look, look);
@@ -257,49 +216,22 @@ void Search::know(const Measured& measured) {
 
 bool Search::step() {
   const bool first = tried_.empty();
-  Pick next = first ? Pick{} : pick();
-  if (!first && next.from < 0) next = pickBeside();
+  const Pick next = first ? Pick{} : pick();
   if (!first && next.from < 0) return false;
   const int node = first ? 0 : next.move.node;
   Measured one;
   one.configuration = configurationOf(nodes_[node].key);
-  const Glance glance = measure_.glance(one.configuration, limit_ && limit_->wrong);
+  const Glance glance = measure_.glance(one.configuration);
   if (glance.rms == kInfinity) {
     nodes_[node].seen = true;
     return !first;
   }
   one.here.afterTable.rootMeanSquare = glance.rms;
-  one.here.wrongFaces = glance.wrong;
   one.cost.time = {.ms = glance.ms};
   one.cost.stages = glance.stages;
-  one.cost.rough = true;
-  take(node, std::move(one),
-       {stagesOf(glance.stages), glance.rms * glance.rms, static_cast<double>(glance.wrong)});
+  take(node, std::move(one), {stagesOf(glance.stages), glance.rms * glance.rms});
   if (!first) learn(next.move, nodes_[next.from].look, nodes_[node].look);
   return true;
-}
-
-std::vector<int> Search::within(double times, double saves) const {
-  std::vector<int> all;
-  const auto isWithin = [&](int k, double most) {
-    return keeps(tried_[k], *limit_) && tried_[k].cost.time.ms <= most * least_;
-  };
-  std::vector<const Measured*> some;
-  for (int k = 0; k < static_cast<int>(tried_.size()); ++k)
-    if (isWithin(k, saves * times)) all.push_back(k), some.push_back(&tried_[k]);
-  const std::vector<const Measured*> useful = usefulOf(std::move(some), saves);
-  std::erase_if(all, [&](int k) {
-    return !isWithin(k, times) || std::ranges::find(useful, &tried_[k]) == useful.end();
-  });
-  std::ranges::stable_sort(all, {}, [&](int k) { return tried_[k].cost.time.ms; });
-  return all;
-}
-
-std::vector<int> Search::byError() const {
-  std::vector<int> all(tried_.size());
-  std::iota(all.begin(), all.end(), 0);
-  std::ranges::stable_sort(all, {}, [&](int k) { return errorOnAllViews(tried_[k]); });
-  return all;
 }
 
 std::vector<int> Search::nearFront(std::size_t count) const {

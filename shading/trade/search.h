@@ -3,17 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "shading/trade/measure.h"
-#include "shading/trade/trade_request.h"
 
 namespace xnewell {
-
-/// A combination is near the fastest within a limit if it takes at most so many times as long.
-inline constexpr double kNearFastest = 1.5;
 
 /// Which combinations of short cuts are worth a look?
 ///
@@ -25,32 +20,20 @@ inline constexpr double kNearFastest = 1.5;
 /// is expected to help, and cheap values come first. The candidate with the most promise is tried, and what
 /// it shows corrects the predictions.
 ///
-/// Within a limit, promise is time x the square of how often the error contains the limit. Without one it is
-/// the time, in times of the fastest combination tried that is as accurate.
-///
-/// First times are of few runs and may mislead. So when no candidate promises anything, the search closes
-/// what it found within a limit. It looks about each combination that is near the fastest, however little the
-/// change seemed to help before: without each of its changes, and with each other one that may come near.
-/// What is found may be near too. The search ends when this leads to nothing new.
+/// Promise is the time, in times of the fastest combination tried that is as accurate. The search ends when
+/// no candidate has any.
 class Search {
  public:
   /// `measure` must outlive it. `axes` are those that may change.
-  Search(Measure& measure, std::vector<Axis> axes, std::optional<AccuracyLimit> within);
+  Search(Measure& measure, std::vector<Axis> axes);
 
   /// Takes over what is known of a configuration.
   void know(const Measured& measured);
-  /// Tries the most promising candidate, or closes. Returns false if nothing is left to try.
+  /// Tries the most promising candidate. Returns false if nothing is left to try.
   bool step();
 
-  /// All that was tried, with rough times, but what has no picture. Within a limit, those that keep it have
-  /// their errors elsewhere, unless they are much slower than the fastest.
+  /// All that was tried, with the times of single runs, but what has no picture.
   [[nodiscard]] const std::vector<Measured>& tried() const { return tried_; }
-  /// The indices of those that keep the limit and are at most `times` as slow as the fastest of them, the
-  /// fastest first. Those are left out that are as fast with fewer changes: usefulOf(). `saves` is at most
-  /// 1.1. Precondition: there is a limit.
-  [[nodiscard]] std::vector<int> within(double times, double saves) const;
-  /// The indices of all that was tried, by the errors that are known, the least first.
-  [[nodiscard]] std::vector<int> byError() const;
   /// The indices of the `count` that are nearest to the front. Changes that bring nothing are left out.
   [[nodiscard]] std::vector<int> nearFront(std::size_t count) const;
   /// The values that no combination tried had: "--order bsp, oracle; --divisions 64"; "" if all were tried.
@@ -74,12 +57,11 @@ class Search {
     bool known = false;
     std::array<double, 4> stages{1, 1, 1, 1};  ///< ratios
     double square = 0;                         ///< added to the square of the RMS error
-    double wrong = 0;                          ///< added to the samples with wrong faces
   };
   /// What is known or predicted of a combination.
   struct Look {
     std::array<double, 4> stages{};  ///< ms
-    double square = 0, wrong = 0;
+    double square = 0;
     [[nodiscard]] double ms() const { return stages[0] + stages[1] + stages[2] + stages[3]; }
     [[nodiscard]] double rms() const;
   };
@@ -103,8 +85,6 @@ class Search {
   [[nodiscard]] const Effect& effect(int dial, int from, int to) const { return effects_[dial][from][to]; }
   /// The least time of what is tried and has at most this error; infinite if there is none.
   [[nodiscard]] double leastMs(double rms) const;
-  /// How often the errors contain the limit, at least 1.
-  [[nodiscard]] double excess(double rms, double wrong) const;
   /// Smaller is better.
   [[nodiscard]] double promise(const Look& look) const;
   /// True if a change makes it faster or more accurate, by more than chance.
@@ -121,18 +101,14 @@ class Search {
     Move move = {};
   };
   [[nodiscard]] Pick pick();
-  /// The same to close what was found.
-  [[nodiscard]] Pick pickBeside();
 
   Measure& measure_;
-  std::optional<AccuracyLimit> limit_;
   std::vector<Dial> dials_;
   std::map<Key, int> ids_;
   std::vector<Node> nodes_;
   std::vector<Measured> tried_;
   std::vector<int> nodeOfTried_;
   std::vector<std::vector<std::vector<Effect>>> effects_;  ///< by dial, from and to
-  double least_ = 0;  ///< time of the fastest that keeps the limit; 0 if there is none
 };
 
 }  // namespace xnewell

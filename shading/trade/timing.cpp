@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <ctime>
 #include <numeric>
 #include <random>
@@ -13,32 +14,29 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kDraws = 400;
-constexpr double kTail = 0.025;
-
 /// The times of all ways, one row a round. The last way is the twin of the first.
 using Rounds = std::vector<std::vector<double>>;
 
-Timing timingOf(const Rounds& rounds, std::size_t way, unsigned seed) {
+Timing timingOf(const Rounds& rounds, std::size_t way) {
   std::vector<double> times, ratios;
   for (const std::vector<double>& round : rounds) {
     times.push_back(round[way]);
     ratios.push_back(round[way] / round[0]);
   }
-  return {.ms = medianOf(times), .ratio = medianOf(ratios), .interval = intervalOfMedian(ratios, seed)};
+  return {.ms = medianOf(times), .ratio = medianOf(ratios), .interval = intervalOfMedian(ratios)};
 }
 
-void summarize(Timings& timings, const Rounds& rounds, std::size_t ways, unsigned seed) {
+void summarize(Timings& timings, const Rounds& rounds, std::size_t ways) {
   timings.rounds = static_cast<int>(rounds.size());
   timings.of.assign(ways, {});
   if (rounds.empty()) return;
-  timings.twin = timingOf(rounds, ways, seed);
+  timings.twin = timingOf(rounds, ways);
   // Both are the same way, so a ratio of 1 is among what chance explains.
   timings.twin.interval.low = std::min(timings.twin.interval.low, 1.0);
   timings.twin.interval.high = std::max(timings.twin.interval.high, 1.0);
   timings.twin.tie = true;
   for (std::size_t way = 0; way < ways; ++way) {
-    timings.of[way] = timingOf(rounds, way, seed);
+    timings.of[way] = timingOf(rounds, way);
     timings.of[way].tie = timings.of[way].interval.meets(timings.twin.interval);
   }
 }
@@ -58,18 +56,12 @@ double medianOf(std::vector<double> values) {
   return (*std::max_element(values.begin(), middle) + *middle) / 2.0;
 }
 
-Interval intervalOfMedian(std::span<const double> values, unsigned seed) {
+Interval intervalOfMedian(std::vector<double> values) {
   if (values.empty()) return {};
-  std::mt19937 random{seed};
-  std::uniform_int_distribution<std::size_t> any{0, values.size() - 1};
-  std::vector<double> medians(kDraws), draw(values.size());
-  for (double& median : medians) {
-    for (double& v : draw) v = values[any(random)];
-    median = medianOf(draw);
-  }
-  std::ranges::sort(medians);
-  const auto tail = static_cast<std::size_t>(kTail * kDraws);
-  return {medians[tail], medians[kDraws - 1 - tail]};
+  std::ranges::sort(values);
+  const auto n = static_cast<double>(values.size());
+  const auto first = static_cast<std::size_t>(std::max(0.0, n / 2 - 0.98 * std::sqrt(n) - 0.5));
+  return {values[first], values[values.size() - 1 - first]};
 }
 
 double processorMs() {
@@ -88,7 +80,7 @@ Timings timeAll(std::span<const Timed> ways, const TimingLimits& limits, const T
   Timings timings;
   timings.of.assign(ways.size(), {});
   const auto ended = [&](Ended why) {
-    summarize(timings, rounds, ways.size(), limits.seed);
+    summarize(timings, rounds, ways.size());
     timings.ended = why;
     return timings;
   };
@@ -105,12 +97,12 @@ Timings timeAll(std::span<const Timed> ways, const TimingLimits& limits, const T
     }
     rounds.push_back(std::move(round));
     const int count = static_cast<int>(rounds.size());
-    if (count == 1 && goOn) summarize(timings, rounds, ways.size(), limits.seed);
+    if (count == 1 && goOn) summarize(timings, rounds, ways.size());
     if (count < limits.leastRounds) continue;
     if (watch.ms() > 1e3 * limits.seconds || count == limits.mostRounds) return ended(Ended::OutOfTime);
     // The intervals take time themselves, so we do not look at them every round.
     if (count % limits.leastRounds != 0) continue;
-    summarize(timings, rounds, ways.size(), limits.seed);
+    summarize(timings, rounds, ways.size());
     if (isSure(timings, limits.narrow)) return ended(Ended::Sure);
   }
 }

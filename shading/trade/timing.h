@@ -11,8 +11,8 @@ namespace xnewell {
 ///
 /// All ways run in turn, once a round, in a new random order each round. So a slow minute is slow for all of
 /// them. A way is compared with the first one, the base, round by round: its ratio is the median over all
-/// rounds of its time / the base's time in the same round. The interval of a ratio is bootstrapped: rounds
-/// are drawn again and again, and 95 % of the medians of such draws lie in the interval.
+/// rounds of its time / the base's time in the same round. The interval of a ratio reaches from one of the
+/// sorted ratios to another, between which the true median lies in 95 % of all cases, however ratios spread.
 ///
 /// The base runs a second time in each round, as its own twin. The two differ by chance alone. A way whose
 /// interval meets that of the twin is as fast as the base: a tie.
@@ -63,8 +63,9 @@ using TimingProgress = std::function<bool(int rounds, const Timings& known)>;
 
 /// The median of the values, the mean of the middle two of an even number; 0 of none.
 [[nodiscard]] double medianOf(std::vector<double> values);
-/// The bootstrapped interval of the median, from 400 draws.
-[[nodiscard]] Interval intervalOfMedian(std::span<const double> values, unsigned seed);
+/// Where the median of what the values are drawn from lies, with 95 %: how many values are below it is a
+/// binomial number, about n / 2 with a standard deviation of sqrt(n) / 2.
+[[nodiscard]] Interval intervalOfMedian(std::vector<double> values);
 
 /// The time that this thread has had a processor, in milliseconds. The time of other programs does not count.
 [[nodiscard]] double processorMs();

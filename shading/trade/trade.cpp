@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/exact/box.h"
 #include "geometry/exact/give_up.h"
 #include "shading/trade/choice.h"
-#include "shading/trade/combine.h"
-#include "shading/trade/constant_l_bound.h"
 #include "shading/trade/measure.h"
 #include "shading/trade/search.h"
 #include "shading/trade/trade_sentences.h"
@@ -17,34 +14,50 @@ namespace xnewell {
 
 namespace {
 
-/// The shares of the time after which the parts end: errors of rows, their times, the search of combinations,
-/// their errors, and their times. A closer look at the front has the rest.
-constexpr double kRowErrors = 0.3, kRowTimes = 0.5, kSearch = 0.65, kCombinationErrors = 0.75,
+/// The shares of the time after which the parts end: errors of rows, their times, what items cost, the search
+/// of combinations, their errors, and their times. A closer look at the front has the rest.
+constexpr double kRowErrors = 0.3, kRowTimes = 0.45, kItems = 0.5, kSearch = 0.65, kCombinationErrors = 0.75,
                  kCombinationTimes = 0.9;
-/// The same for a choice within a limit, which has no rows: the search, and the errors on all views.
-constexpr double kChoiceSearch = 0.8, kChoiceErrors = 0.9;
 
 /// So many combinations are timed, or more, as many as can run so many rounds in their time.
 constexpr std::size_t kLeastCombinations = 8;
 constexpr int kRounds = 9;
 
-/// What keeps a limit and is near the fastest is timed again in turn; but no more than so many, the fastest
-/// by their first times, and only as many as take this share of the time for the first rounds.
-constexpr std::size_t kFinalists = 96;
-constexpr double kFirstShare = 0.1;
-/// After so many rounds, what takes so many times as long as the fastest of them is out.
-constexpr int kFirstRounds = 7;
-constexpr double kLast = 1.4;
-static_assert(kLast > kTimeFar);
-/// And so is what has changes without which it is at most so many times as slow (usefulOf()). First times are
-/// less sure, so more is timed.
-constexpr double kSaves = 1.1, kMaySave = 1.05;
-/// How narrow the intervals of the last times shall be, so that chance seldom decides what is a tie.
-constexpr double kNarrow = 0.02;
-
 /// What has begun may take this share of the time more than its part has left, and the last part kOver. Then
 /// it is given up. So one picture that takes very long cannot take more.
 constexpr double kBeyond = 0.2, kOver = 0.05;
+
+/// The axes that a request asks for, without the values that it leaves out.
+std::vector<Axis> requestedAxes(std::vector<Axis> all, const TradeRequest& request) {
+  const auto axisNamed = [&](const std::string& name) {
+    const auto axis = std::ranges::find(all, name, &Axis::name);
+    if (axis != all.end()) return axis;
+    std::string names;
+    for (const Axis& a : all) names += (names.empty() ? "" : ", ") + std::string{a.name()};
+    throw std::invalid_argument{"'" + name + "' is no short cut of this picture: these are " + names};
+  };
+  for (const std::string& without : request.without) {
+    const std::size_t sign = without.find('=');
+    if (sign == std::string::npos)
+      throw std::invalid_argument{"--without " + without + ": AXIS=VALUE is needed, such as order=none"};
+    const auto axis = axisNamed(without.substr(0, sign));
+    const auto value = std::ranges::find_if(
+        axis->others, [&](double v) { return axis->text(v) == without.substr(sign + 1); });
+    if (value == axis->others.end()) {
+      std::string values;
+      for (const double v : axis->others) values += (values.empty() ? "" : ", ") + axis->text(v);
+      throw std::invalid_argument{"--without " + without + ": the values to try are " + values};
+    }
+    axis->others.erase(value);
+  }
+  if (request.axes.empty()) return all;
+  std::vector<Axis> some;
+  for (const std::string& name : request.axes) {
+    const Axis& axis = *axisNamed(name);
+    if (std::ranges::find(some, axis.name(), &Axis::name) == some.end()) some.push_back(axis);
+  }
+  return some;
+}
 
 /// The trade while it is made.
 class Trader {
@@ -59,17 +72,11 @@ class Trader {
     trade_.referenceDivisions = measure_.referenceDivisions();
     if (!request_.brief) trade_.referenceOff = measure_.referenceOff();
     trade_.views = measure_.otherViews();
-    const Illumination& light = measure_.asked().settings().light;
-    if (light.mistake == Mistake::None)  // the bound is that of the course's equation
-      trade_.constantL = boundOfConstantL(measure_.asked().scene(), light);
     trade_.asked = closely(measure_.askedConfiguration());
     if (trade_.asked.here.samples == 0) throw ViewError{"nothing shows, so there is nothing to measure"};
-    if (request_.within) {
-      choices();
-    } else {
-      rows();
-      if (!trade_.stopped) combinations();
-    }
+    rows();
+    if (!trade_.stopped && !request_.brief && request_.axes.empty()) items();
+    if (!trade_.stopped) combinations();
     return std::move(trade_);
   }
 
@@ -132,31 +139,39 @@ class Trader {
     }
     std::vector<Measured*> timed{&trade_.asked};
     for (TradeRow& row : trade_.rows) timed.push_back(&row.measured);
-    trade_.ofRows = time(timed, kRowTimes, "timing short cuts", request_.mostRounds);
+    trade_.ofRows = time(timed, kRowTimes, "timing short cuts");
     for (TradeRow& row : trade_.rows)
       row.sentence = sentenceOf(row, trade_.axes[row.axis], trade_.asked, measure_.asked());
   }
 
-  /// Searches as long as there is time. Returns false if it was stopped.
-  bool searched(Search& search, double share) {
-    bool more = true;
-    do {
-      if (!goOn("looking at combinations: " + std::to_string(search.tried().size()))) return false;
-      const bool known = !isLate(share) && inTime(share, [&] { more = search.step(); });
-      if (!known) {
-        trade_.notes.emplace_back("the time did not suffice for all combinations with promise (--budget)");
-        break;
-      }
-    } while (more);
-    trade_.neverTried = search.neverTried();
-    return true;
+  void items() {
+    const TimingLimits limits{.seconds = secondsTo(kItems),
+                              .leastRounds = 3,
+                              .mostRounds = request_.mostRounds,
+                              .seed = request_.seed};
+    const bool known = inTime(kItems, [&] {
+      const Picture& asked = measure_.asked();  // has no more than what it shows
+      const Picture picture = PictureCache{asked.scene()}.make(asked.settings(), asked.ground());
+      trade_.items = itemCostsOf(picture, limits, [&](int rounds, const Timings&) {
+        return goOn("timing what is required: round " + std::to_string(rounds + 1));
+      });
+    });
+    if (!known)
+      trade_.notes.emplace_back("the time did not suffice for what each required item costs (--budget)");
   }
 
   void combinations() {
-    Search search{measure_, trade_.axes, {}};
+    Search search{measure_, trade_.axes};
     search.know(trade_.asked);
     for (const TradeRow& row : trade_.rows) search.know(row.measured);
-    if (!searched(search, kSearch)) return;
+    for (bool more = true; more;) {
+      if (!goOn("looking at combinations: " + std::to_string(search.tried().size()))) return;
+      if (isLate(kSearch) || !inTime(kSearch, [&] { more = search.step(); })) {
+        trade_.notes.emplace_back("the time did not suffice for all combinations with promise (--budget)");
+        break;
+      }
+    }
+    trade_.neverTried = search.neverTried();
     double round = 2 * trade_.asked.cost.time.ms;  // the base and its twin
     for (const int k : search.nearFront(kMostCombinations)) {
       const Measured& one = search.tried()[k];
@@ -172,7 +187,7 @@ class Trader {
     Measured base = trade_.asked;  // so that all times are compared with the same set-up
     std::vector<Measured*> timed{&base};
     for (Measured& one : trade_.combinations) timed.push_back(&one);
-    trade_.ofCombinations = time(timed, kCombinationTimes, "timing combinations", request_.mostRounds);
+    trade_.ofCombinations = time(timed, kCombinationTimes, "timing combinations");
     if (trade_.ofCombinations.rounds == 0) return noTimeForCombinations();
     if (request_.brief) return;
     for (const int k : trade_.front) {
@@ -195,67 +210,21 @@ class Trader {
       trade_.notes.emplace_back("the time did not suffice to time combinations (--budget)");
   }
 
-  /// The combinations near the limit. Those that may be the choice are timed again, in turn. If none keeps
-  /// the limit, they are seen on all views until none that is left can be the most accurate.
-  void choices() {
-    Search search{measure_, trade_.axes, request_.within};
-    if (!searched(search, kChoiceSearch)) return;
-    const std::vector<int> within = search.within(kNearFastest, kMaySave);
-    trade_.combinations = search.tried();
-    std::vector<Measured*> timed;
-    double ms = 0, leastError = std::numeric_limits<double>::infinity();
-    for (const int k : within.empty() ? search.byError() : within) {
-      Measured& one = trade_.combinations[k];
-      ms += kFirstRounds * one.cost.time.ms;
-      if (!timed.empty() && within.empty() && (errorOnAllViews(one) > leastError || isLate(kChoiceErrors)))
-        break;
-      if (!timed.empty() && !within.empty() &&
-          (timed.size() == kFinalists || ms > 1e3 * kFirstShare * request_.seconds))
-        break;
-      const Cost rough = one.cost;
-      const std::int64_t wrong = one.wrongElsewhere;
-      if (!inTime(kChoiceErrors, [&] { one = measure_.brief(one.configuration); })) break;
-      one.wrongElsewhere = wrong;
-      one.cost.time = rough.time, one.cost.stages = rough.stages, one.cost.rough = true;
-      leastError = std::min(leastError, errorOnAllViews(one));
-      timed.push_back(&one);
-    }
-    if (timed.empty()) return;
-    if (within.empty())
-      std::erase_if(timed, [&](Measured* one) { return errorOnAllViews(*one) > leastError; });
-    for (Measured* const one : timed) one->cost.rough = false;
-    // A few rounds leave those that may be the fastest; these have the rest of the time.
-    (void)time(timed, 1, "timing the fastest", kFirstRounds);
-    const auto ratioOf = [](const Measured* one) { return one->cost.time.ratio; };
-    const double least = ratioOf(*std::ranges::min_element(timed, {}, ratioOf));
-    const std::vector<const Measured*> useful = usefulOf({timed.begin(), timed.end()}, kSaves);
-    std::erase_if(timed, [&](Measured* one) {
-      one->cost.rough = ratioOf(one) > kLast * least || std::ranges::find(useful, one) == useful.end();
-      return one->cost.rough;
-    });
-    if (!trade_.stopped)
-      trade_.ofCombinations = time(timed, 1, "timing the fastest again", request_.mostRounds, kNarrow);
-    if (trade_.ofCombinations.rounds == 0)
-      for (Measured* one : timed) one->cost.rough = true;
-  }
-
   /// `ways` are in Trade or beside it; the first is the base.
-  Timings time(const std::vector<Measured*>& ways, double share, const std::string& doing, int mostRounds,
-               double narrow = TimingLimits{}.narrow) {
+  Timings time(const std::vector<Measured*>& ways, double share, const std::string& doing) {
     std::vector<Stages> stages(ways.size());
     std::vector<Timed> timed;
     for (std::size_t k = 0; k < ways.size(); ++k)
       timed.emplace_back(
           [this, way = ways[k], &stage = stages[k]] { return measure_.run(way->configuration, stage); });
     const TimingLimits limits{.seconds = secondsTo(share),
-                              .leastRounds = std::min(TimingLimits{}.leastRounds, mostRounds),
-                              .mostRounds = mostRounds,
-                              .narrow = narrow,
+                              .leastRounds = std::min(TimingLimits{}.leastRounds, request_.mostRounds),
+                              .mostRounds = request_.mostRounds,
                               .seed = request_.seed};
     int kept = 0;
     const auto keep = [&](const Timings& timings) {
       for (std::size_t k = 0; k < ways.size(); ++k) ways[k]->cost.time = timings.of[k];
-      if (!request_.within) trade_.front = frontOf(trade_.combinations);
+      trade_.front = frontOf(trade_.combinations);
     };
     const MayGiveUp limit = limitOf(share);
     Timings timings = timeAll(timed, limits, [&](int rounds, const Timings& known) {

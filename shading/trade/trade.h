@@ -7,16 +7,17 @@
 #include <string_view>
 #include <vector>
 
-#include "depthsort/pair_check.h"
 #include "shading/laboratory/errors.h"
 #include "shading/picture/shared.h"
 #include "shading/trade/configuration.h"
-#include "shading/trade/timing.h"
+#include "shading/trade/item_costs.h"
 #include "shading/trade/trade_request.h"
 
 namespace xnewell {
 
 class Measure;
+
+inline constexpr int kMostCombinations = 96;
 
 /// Speed against accuracy: what each short cut saves on a scene, and what it costs in errors.
 ///
@@ -24,15 +25,15 @@ class Measure;
 /// useful values of several short cuts are combined; the single ones are among them. The front is the
 /// combinations for which no other is cheaper and more accurate.
 ///
+/// Beside them stands what the set-up cannot do without: what each item costs that the picture requires.
+///
 /// All errors are against one Reference, whose patches are divided finely. The combinations are chosen by
 /// their errors on views that are turned by one or two degrees. What is told are their errors on the user's
 /// own view, which had no part in the choice.
 
 /// What one picture costs.
 struct Cost {
-  Timing time;                ///< its base is the set-up that was asked for; in a choice within a limit, the
-                              ///< fastest that keeps it
-  bool rough = false;         ///< the time is that of one run, and its ratio says nothing
+  Timing time;                ///< its base is the set-up that was asked for
   StageTimes stages;          ///< medians
   std::int64_t bytes = 0;     ///< of memory that the picture holds; 0 if the system does not tell
   int cells = 0;              ///< of the colormap that get a colour for the picture or its window
@@ -44,10 +45,7 @@ struct Measured {
   /// On the user's view. A combination off the front has only samples, wrongFaces, afterTable and worst.
   Errors here;
   double elsewhere = 0;  ///< the largest RMS error of the intensity after the table, on the other views
-  std::int64_t wrongElsewhere = 0;  ///< the most wrong faces on the other views, if a limit asks for them
   Cost cost;
-  /// For an order that is not exact and shows no wrong face here: are all pairs in order?
-  std::optional<PairCheck> pairs = {};
   bool samePixels = false;  ///< it shows exactly what the set-up that was asked for shows
 };
 
@@ -63,11 +61,12 @@ struct Trade {
   std::vector<Axis> axes;
   Measured asked;
   std::vector<TradeRow> rows;  ///< in the order of the axes
+  /// What each item costs that the set-up requires, if no axes were named.
+  std::vector<ItemCost> items;
   std::vector<Measured> combinations;
   std::vector<int> front;                     ///< indices into combinations, the cheapest first
   int referenceDivisions = 0;                 ///< of the reference's patches; 0 if there are none
   std::optional<PatchDistance> referenceOff;  ///< how far the reference's polygons are from the patches
-  std::optional<double> constantL;            ///< boundOfConstantL()
   int views = 0;                              ///< other views that chose
   Timings ofRows, ofCombinations;
   std::vector<std::string> notes;  ///< what was left out, and why

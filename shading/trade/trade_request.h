@@ -10,8 +10,8 @@ namespace xnewell {
 /// How wrong a picture may be.
 struct AccuracyLimit {
   double rms = 0.03;  ///< of the intensity after the table
-  /// Samples that may show a wrong face; any number if nothing is said. The RMS error alone is small where
-  /// wrong faces have nearly the right intensity.
+  /// Samples of the user's view that may show a wrong face; any number if nothing is said. The RMS error
+  /// alone is small where wrong faces have nearly the right intensity.
   std::optional<std::int64_t> wrong = {};
   bool operator==(const AccuracyLimit&) const = default;
 };
@@ -25,8 +25,6 @@ struct TradeRequest {
   std::vector<std::string> without = {};  ///< "order=none": values to leave out
   /// Leaves out what a choice does not need: colours, and the distance from patches.
   bool brief = false;
-  /// Only combinations near this limit, without the single short cuts: for a choice within it.
-  std::optional<AccuracyLimit> within = {};
   double seconds = 30;   ///< of the processor's time, about; above 0
   int mostRounds = 200;  ///< of timing
   unsigned seed = 1;

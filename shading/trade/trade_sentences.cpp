@@ -7,7 +7,6 @@
 
 #include "geometry/exact/box.h"
 #include "shading/scene/units.h"
-#include "shading/trade/constant_l_bound.h"
 
 namespace xnewell {
 
@@ -37,10 +36,7 @@ std::string whereTheLampIs(const Picture& picture) {
       const glm::dvec3 to = light.position - box.centre();
       nearest = std::min(nearest, std::hypot(to.x, to.y, to.z));
     }
-  const std::optional<double> bound = boundOfConstantL(scene, picture.settings().light);
-  return "The nearest lamp is " + times(nearest / box.side(), "the scene's side away") +
-         (bound && *bound < 0.1 ? ", so no intensity can change by more than " + twoDigits(*bound) + '.'
-                                : ".");
+  return "The nearest lamp is " + times(nearest / box.side(), "the scene's side away.");
 }
 
 std::string whereTheEyeIs(const Picture& picture) {

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "geometry/exact/extended.h"
+#include "tests/support/extended.h"
 #include "geometry/exact/plane.h"
 #include "geometry/exact/unit.h"
 

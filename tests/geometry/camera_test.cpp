@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "geometry/exact/extended.h"
+#include "tests/support/extended.h"
 
 namespace xnewell::THIS_FILE {
 

@@ -8,14 +8,14 @@
 #include <random>
 #include <vector>
 
-#include "geometry/exact/extended.h"
+#include "tests/support/extended.h"
 #include "geometry/exact/unit.h"
 
 namespace xnewell::THIS_FILE {
 
 namespace {
 
-using std::abs;  // and that of SoftExtended
+using std::abs;  // and that of two doubles
 
 using Real = Extended;
 using Vec = glm::vec<3, Real>;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "geometry/exact/extended.h"
+#include "tests/support/extended.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -48,7 +48,7 @@ BySeries bySeries(double degrees) {
 
 // The values are within the stated 2^-51 of those of the series.
 TEST(Trig, AgreesWithTheSeries) {
-  using std::abs;  // and that of SoftExtended
+  using std::abs;  // and that of two doubles
   std::mt19937 rng{90};
   std::uniform_real_distribution<double> angle{-360.0, 360.0};
   for (int i = 0; i < 200'000; ++i) {

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <random>
 
-#include "geometry/exact/extended.h"
+#include "tests/support/extended.h"
 #include "geometry/exact/trig.h"
 #include "geometry/exact/unit.h"
 #include "geometry/files/bpt.h"

@@ -165,8 +165,8 @@ Kernel twoDoublesOfKernel() {
 
 /// In an input: high x and y, and what share of 2^-52 of it is low.
 Kernel twoDoublesKernel() {
-  return {.name = "sum and product of two doubles each",
-          .claim = "2^-100 of |x| + |y|, of |x y|; 2^-76 in other modes",
+  return {.name = "sum, product, quotient and root of two doubles each",
+          .claim = "2^-100 of |x| + |y|, of the others themselves; 2^-76 in other modes",
           .header = "geometry/exact/two_doubles.h",
           .input = {doubles(-0x1p400, 0x1p400), doubles(-0x1p400, 0x1p400), doubles(-1, 1), doubles(-1, 1)},
           .prepare =
@@ -181,14 +181,19 @@ Kernel twoDoublesKernel() {
               },
           .run =
               [](const Numbers& in) {
-                const TwoDoubles x{in[0], in[1]}, y{in[2], in[3]}, sum = x + y, product = x * y;
-                return Numbers{sum.high, sum.low, product.high, product.low};
+                const TwoDoubles x{in[0], in[1]}, y{in[2], in[3]}, sum = x + y, product = x * y,
+                                 quotient = y == 0 ? y : x / y, root = sqrt(abs(x));
+                return Numbers{sum.high,      sum.low,      product.high, product.low,
+                               quotient.high, quotient.low, root.high,    root.low};
               },
           .judge =
               [](const Numbers& in, const Numbers& out) {
                 const Big x = big(in[0]) + big(in[1]), y = big(in[2]) + big(in[3]);
-                return std::max(shareOfTwo(&out[0], x + y, 0x1p-100 * (abs(x) + abs(y))),
-                                shareOfTwo(&out[2], x * y, 0x1p-100 * abs(x * y)));
+                const Big quotient = y == 0 ? Big{0} : Big{x / y}, root = sqrt(abs(x));
+                return std::max({shareOfTwo(&out[0], x + y, 0x1p-100 * (abs(x) + abs(y))),
+                                 shareOfTwo(&out[2], x * y, 0x1p-100 * abs(x * y)),
+                                 shareOfTwo(&out[4], quotient, 0x1p-100 * abs(quotient)),
+                                 shareOfTwo(&out[6], root, 0x1p-100 * root)});
               },
           .hard = {[](Random& random) {  // nearly opposite
                      const double x = random.sign() * random.power(-100, 100);

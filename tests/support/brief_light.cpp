@@ -9,7 +9,7 @@ namespace xnewell {
 
 namespace {
 
-using std::abs, std::sqrt;  // and those of SoftExtended
+using std::abs, std::sqrt;  // and those of two doubles
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

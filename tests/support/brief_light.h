@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "geometry/exact/extended.h"
+#include "tests/support/extended.h"
 #include "geometry/view/camera.h"
 #include "shading/scene/scene.h"
 

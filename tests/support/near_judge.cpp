@@ -7,13 +7,13 @@
 #include <numbers>
 #include <utility>
 
-#include "geometry/exact/extended.h"
+#include "tests/support/extended.h"
 
 namespace xnewell {
 
 namespace {
 
-using std::abs, std::isfinite, std::sqrt;  // and those of SoftExtended
+using std::abs, std::isfinite, std::sqrt;  // and those of two doubles
 
 using Real = Extended;
 

@@ -92,13 +92,6 @@ class Viewer {
     bench_.resize(size_.x, size_.y);
     if (!options.answers.empty()) bench_.lessons().keepAnswers(options.answers);
     selectResources(display());
-    if (options.accuracy) {
-      std::vector<std::string> mine;
-      for (const std::string& option : options.given)
-        mine.push_back(option.substr(option.find_first_not_of('-')));
-      bench_.keepWithin(options.accuracy, std::move(mine),
-                        options.gave("--budget") ? options.trade.seconds : kAccuracySeconds);
-    }
     XkbSetDetectableAutoRepeat(display(), 1, nullptr);  // a held key sends only one release event
   }
 

@@ -199,38 +199,12 @@ void Workbench::compare(const Setup& B) {
       B, Unlike::Intensity);  // after the view was entered, because then B follows what was changed elsewhere
 }
 
-void Workbench::keepWithin(std::optional<AccuracyLimit> limit, std::vector<std::string> mine,
-                           double seconds) {
-  keeper_.reset();
-  if (limit) keeper_.emplace(*limit, std::move(mine), TradeRequest{.brief = true, .seconds = seconds});
-}
-
-std::optional<AccuracyLimit> Workbench::keptWithin() const {
-  return keeper_ ? std::optional{keeper_->limit()} : std::nullopt;
-}
-
-AccuracyKeeper::Seen Workbench::seen() const {
-  const Rect at = pictureArea();
-  return {scene(), work_.setup, work_.divisions, at.width, at.height};
-}
-
-bool Workbench::mustMeasure() const {
-  // View 6 measures by itself, and a lesson must stay as it is told.
-  return keeper_ && !before_ && view() != WindowView::Trade && view() != WindowView::Lesson && shown_ &&
-         !keeper_->rests(seen());
-}
-
 void Workbench::tick() {
   if (bench().moving()) bench().tick();
   if (lecture_ && lecture_->isDue() && !line_.isOpen()) {
     lecture_->turnByItself();
     showPage();
   }
-  if (!mustMeasure() || dragging_ || line_.isOpen()) return;
-  std::optional<AccuracyKeeper::News> news = keeper_->tick(seen());
-  if (!news) return;
-  work_.setup = std::move(news->setup);
-  tell(std::move(news->says));
 }
 
 Subject Workbench::subject() const {

@@ -10,7 +10,6 @@
 #include "x11/app/work.h"
 #include "x11/kit/typed_line.h"
 #include "x11/lessons/lesson_bench.h"
-#include "x11/trade/accuracy_keeper.h"
 #include "x11/window/bench.h"
 #include "x11/window/panel.h"
 
@@ -105,7 +104,7 @@ class Workbench : public Host {
 
   /// True if something moves by itself. Then tick() must be called at regular intervals.
   [[nodiscard]] bool moving() const {
-    return bench().moving() || mustMeasure() || (lecture_ && lecture_->plays());
+    return bench().moving() || (lecture_ && lecture_->plays());
   }
   void tick();
 
@@ -171,12 +170,6 @@ class Workbench : public Host {
   void explain(double x, double y) override;
   void fill(const std::string& polygon) override;
   void compare(const Setup& B) override;
-  void keepWithin(std::optional<AccuracyLimit> limit) override { keepWithin(limit, {}); }
-  /// `mine` are the axes that the user has chosen. Each choice takes at most about so many seconds of the
-  /// processor's time.
-  void keepWithin(std::optional<AccuracyLimit> limit, std::vector<std::string> mine,
-                  double seconds = kAccuracySeconds);
-  [[nodiscard]] std::optional<AccuracyLimit> keptWithin() const override;
   void ask(Question question) override { line_.ask(std::move(question)); }
   void notify(std::string notice) override { notice_ = std::move(notice); }
   void tell(std::string news) override { told_ = std::move(news); }
@@ -238,9 +231,6 @@ class Workbench : public Host {
   void takeNextScale();
   void askToSave();
   void askToOpen();
-  [[nodiscard]] AccuracyKeeper::Seen seen() const;
-  /// True if the limit of keepWithin() must be looked at again.
-  [[nodiscard]] bool mustMeasure() const;
   void drawFrame(bool dragging);
   /// Makes the palette from the colours of the picture and these effects.
   void makePalette(const Picture& picture, const PaletteEffects& effects);
@@ -290,7 +280,6 @@ class Workbench : public Host {
   Layout layout_;
   PanelState panel_;
   std::string notice_, told_;  ///< for the status line: a warning (until a key or click), news (until a key)
-  std::optional<AccuracyKeeper> keeper_;
   TypedLine line_;
   bool help_ = false, quit_ = false;
   bool warned_ = false;    ///< true if the user was told that changes are not saved

@@ -232,9 +232,9 @@ int run(int argc, char** argv) {
   Scene scene = readyScene(options);
   const double msRead = watch.ms();
   checkOutputs(outputsOf(options));
-  if (options.command == Command::View) return openWindow(options, std::move(scene));
   nlohmann::ordered_json accuracy;
   if (options.accuracy) accuracy = keepWithin(*options.accuracy, options, scene);
+  if (options.command == Command::View) return openWindow(options, std::move(scene));
   if (options.command == Command::Snapshot)
     return snapshot(options, std::move(scene), msRead, accuracy), kDone;
   if (options.command == Command::Trade) return tellTrade(options, std::move(scene));

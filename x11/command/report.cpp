@@ -12,8 +12,8 @@
 #include "shading/laboratory/exactness.h"
 #include "shading/picture/required.h"
 #include "shading/scene/divide_anew.h"
-#include "x11/command/costs.h"
 #include "x11/command/errors_json.h"
+#include "x11/command/trade_report.h"
 #include "x11/terminal/doing.h"
 #include "x11/window/moot.h"
 
@@ -118,7 +118,7 @@ Measurements measured(const Options& options, const Picture& picture) {
   Measurements measured;
   if (options.costs) {
     const Doing measuring{"measuring what each item costs"};
-    measured.costs = costsOf(picture);
+    measured.costs = itemCostsOf(picture, {.seconds = 2, .leastRounds = 3});
   }
   if (options.errors) try {
       const Doing measuring{"measuring the errors"};
@@ -153,7 +153,7 @@ void report(const Options& options, const Picture& picture, const Measurements& 
                      {"image_bytes", sent->imageBytes},
                      {"bits_per_pixel", sent->bitsPerPixel},
                      {"shared_memory", sent->sharedMemory}};
-  for (const auto& [name, ms] : measured.costs) stats["required_cost_ms"][name] = ms;
+  if (options.costs) stats["required_cost_ms"] = itemCostsAsJson(measured.costs);
   if (measured.errors) {
     stats["errors"] = errorsAsJson(*measured.errors);
     stats["errors"]["reference_divisions"] = finestDivisions(picture.scene());

@@ -8,6 +8,7 @@
 
 #include "shading/laboratory/errors.h"
 #include "shading/picture/picture.h"
+#include "shading/trade/item_costs.h"
 #include "x11/options/options.h"
 #include "x11/server/sent.h"
 
@@ -16,7 +17,7 @@ namespace xnewell {
 /// What takes long to know of a picture: --errors and --costs.
 struct Measurements {
   std::optional<Errors> errors;
-  std::vector<std::pair<std::string, double>> costs;
+  std::vector<ItemCost> costs;
 };
 /// Measures what the options ask for, with its progress on a terminal. It comes before anything is written,
 /// so that a command which is interrupted, or which cannot do all that it was asked, leaves nothing behind.

@@ -11,7 +11,6 @@
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/stopwatch.h"
 #include "shading/trade/choice.h"
-#include "shading/trade/combine.h"
 #include "shading/trade/measure.h"
 #include "x11/command/trade_report.h"
 #include "x11/options/exit_status.h"
@@ -52,45 +51,26 @@ nlohmann::ordered_json tellError(const AccuracyLimit& limit, const Options& opti
   const Errors errors = errorsOf(picture, picture.palette(plan));
   const double off = errors.afterTable.rootMeanSquare;
   const bool within = off <= limit.rms && (!limit.wrong || errors.wrongFaces <= *limit.wrong);
-  std::string why = "nothing is left to choose.";
-  if (errors.samples > 0) {
-    const auto [told, allowed] = toldApart(off, limit.rms);
-    why += " The RMS error is " + told + " in this view, " + (off <= limit.rms ? "and " : "but ") + allowed +
-           " is allowed.";
-    if (limit.wrong)
-      why += " Samples that show a wrong face: " + std::to_string(errors.wrongFaces) + " of " +
-             std::to_string(*limit.wrong) + " allowed.";
-    std::cerr << "xnewell: " << why << '\n';
-  }
+  const auto [told, allowed] = toldApart(off, limit.rms);
+  std::string why = "nothing is left to choose. The RMS error is " + told + " in this view, " +
+                    (off <= limit.rms ? "and " : "but ") + allowed + " is allowed.";
+  if (limit.wrong)
+    why += " Samples that show a wrong face: " + std::to_string(errors.wrongFaces) + " of " +
+           std::to_string(*limit.wrong) + " allowed.";
+  if (errors.samples > 0) std::cerr << "xnewell: " << why << '\n';
   return {{"limit", limitAsJson(limit)},      {"within", within}, {"chosen", nullptr}, {"rms", off},
           {"wrong_faces", errors.wrongFaces}, {"why", {why}}};
 }
 
-/// What was chosen, and beside what.
-nlohmann::ordered_json choiceAsJson(const AccuracyLimit& limit, const Trade& trade, const Chosen& choice) {
-  const auto asJson = [&](const Measured& one) {
-    nlohmann::ordered_json json{{"name", one.configuration.name()},
-                                {"options", one.configuration.options()},
-                                {"rms", errorOnAllViews(one)},
-                                {"ms", one.cost.time.ms},
-                                {"ratio", one.cost.time.ratio},
-                                {"interval", {one.cost.time.interval.low, one.cost.time.interval.high}}};
-    if (limit.wrong) json["wrong_faces"] = std::max(one.here.wrongFaces, one.wrongElsewhere);
-    return json;
-  };
-  nlohmann::ordered_json finalists = nlohmann::ordered_json::array();
-  for (const Measured& one : trade.combinations)
-    if (!one.cost.rough) finalists.push_back(asJson(one));
-  return {{"limit", limitAsJson(limit)},
-          {"within", choice.accurate},
-          {"chosen", asJson(trade.combinations[choice.combination])},
-          {"why", choice.why},
-          {"tried", trade.combinations.size()},
-          {"timed_in_turn", finalists},
-          {"rounds", trade.ofCombinations.rounds},
-          {"other_views", trade.views},
-          {"never_tried", trade.neverTried},
-          {"notes", trade.notes}};
+/// A point of the measured front.
+nlohmann::ordered_json pointAsJson(const Measured& one) {
+  return {{"name", one.configuration.name()},
+          {"options", one.configuration.options()},
+          {"rms", errorOnAllViews(one)},
+          {"wrong_faces", one.here.wrongFaces},
+          {"ms", one.cost.time.ms},
+          {"ratio", one.cost.time.ratio},
+          {"interval", {one.cost.time.interval.low, one.cost.time.interval.high}}};
 }
 
 /// The axes that --accuracy may choose on, but for those that the user gave.
@@ -140,10 +120,10 @@ nlohmann::ordered_json keepWithin(const AccuracyLimit& limit, Options& options, 
   TradeRequest request = options.trade;
   if (!options.gave("--budget")) request.seconds = kAccuracySeconds;
   request.brief = true;
-  request.within = limit;
   request.axes = freeAxes(options, scene);
   if (request.axes.empty()) return tellError(limit, options, scene);
-  const Trade trade = measured(options, request, scene);
+  Trade trade = measured(options, request, scene);
+  if (!areTimed(trade.combinations)) trade = withSingles(std::move(trade));
   for (const std::string& note : trade.notes) std::cerr << "xnewell: " << note << '\n';
   const Chosen choice = chooseWithin(trade, limit);
   if (choice.combination < 0) {
@@ -157,7 +137,18 @@ nlohmann::ordered_json keepWithin(const AccuracyLimit& limit, Options& options, 
   for (const std::string& why : choice.why) std::cerr << "xnewell: " << why << '\n';
   options.picture = chosen.settings;
   scene = dividedAnew(scene, chosen.divisions);
-  return choiceAsJson(limit, trade, choice);
+  nlohmann::ordered_json front = nlohmann::ordered_json::array();
+  for (const int k : trade.front) front.push_back(pointAsJson(trade.combinations[k]));
+  return {{"limit", limitAsJson(limit)},
+          {"within", choice.accurate},
+          {"chosen", pointAsJson(trade.combinations[choice.combination])},
+          {"why", choice.why},
+          {"timed", trade.combinations.size()},
+          {"front", front},
+          {"rounds", trade.ofCombinations.rounds},
+          {"other_views", trade.views},
+          {"never_tried", trade.neverTried},
+          {"notes", trade.notes}};
 }
 
 }  // namespace xnewell

@@ -14,9 +14,9 @@ namespace xnewell {
 /// it prints what is known; a second interrupt ends the program. Returns the exit status.
 [[nodiscard]] int tellTrade(const Options& options, Scene scene);
 
-/// --accuracy: puts the cheapest short cuts whose picture stays within `limit` into the options, and the
-/// divisions into the scene. Options that the user gave stay. Says on standard error what was chosen and why,
-/// and returns the same for --stats.
+/// --accuracy: puts the short cuts of the cheapest point of the measured front within `limit` into the
+/// options, and the divisions into the scene. Options that the user gave stay. Says on standard error what
+/// was chosen and why, and returns the same for --stats.
 [[nodiscard]] nlohmann::ordered_json keepWithin(const AccuracyLimit& limit, Options& options, Scene& scene);
 
 }  // namespace xnewell

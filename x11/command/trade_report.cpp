@@ -74,6 +74,12 @@ Json jsonOf(const Timings& timings) {
 
 }  // namespace
 
+Json itemCostsAsJson(const std::vector<ItemCost>& items) {
+  Json json = Json::object();
+  for (const ItemCost& item : items) json[std::string{item.name}] = item.ms;
+  return json;
+}
+
 std::string TradeCommands::of(const Configuration& configuration) const {
   PictureSettings settings = configuration.settings;
   const bool divided = std::ranges::any_of(configuration.changes, [](const Change& c) { return !c.setting; });
@@ -108,6 +114,9 @@ void printTrade(const TradeCommands& commands, const Trade& trade, std::ostream&
     for (const std::string& line : broken(row.sentence, kSentence)) out << "    " << line << '\n';
     out << "    " << commands.of(row.measured.configuration) << '\n';
   }
+  if (!trade.items.empty())
+    out << "\nMilliseconds that are saved without one item that the picture requires:\n";
+  for (const ItemCost& item : trade.items) out << "    " << item.name << ' ' << msText(item.ms) << '\n';
   if (!trade.front.empty()) {
     out << '\n'
         << counted(static_cast<std::int64_t>(trade.combinations.size()), "combination")
@@ -145,6 +154,7 @@ void printTradeAsJson(const std::string& scene, const TradeCommands& commands, c
                   {"as_it_is", jsonOf(commands, trade.asked)},
                   {"timing_of_rows", jsonOf(trade.ofRows)},
                   {"rows", rows},
+                  {"required_cost_ms", itemCostsAsJson(trade.items)},
                   {"other_views", trade.views},
                   {"timing_of_combinations", jsonOf(trade.ofCombinations)},
                   {"combinations", combinations},

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <iosfwd>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "shading/trade/trade.h"
 #include "x11/options/setup_command.h"
@@ -17,6 +19,9 @@ struct TradeCommands {
   /// With other divisions it says where the camera is, which otherwise depends on the polygons.
   [[nodiscard]] std::string of(const Configuration& configuration) const;
 };
+
+/// The milliseconds by the items' names. --costs adds them to --stats.
+[[nodiscard]] nlohmann::ordered_json itemCostsAsJson(const std::vector<ItemCost>& items);
 
 /// Prints a table for people: each short cut by itself with a sentence and the command that repeats it, then
 /// the front.

@@ -217,11 +217,9 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
          "with and without each, for some seconds");
   r.text(
       "--accuracy",
-      "RMS[,WRONG], window, draw, snapshot: choose the cheapest short cuts whose picture is off by no more "
-      "than this intensity (root mean square), and shows a wrong face at no more samples than WRONG; without "
-      "WRONG their number does not count. Times that differ by up to 15 % may count as equal; of equals it "
-      "takes the fewest short cuts, so that another run seldom chooses otherwise. Options that you give "
-      "stay. The window chooses again after each change",
+      "RMS[,WRONG], window, draw, snapshot: measure a trade first, and take the cheapest point of its front "
+      "that is off by no more than this intensity (root mean square), and shows a wrong face at no more "
+      "samples than WRONG; without WRONG their number does not count. Options that you give stay",
       "", [&](const std::string& s) { o.accuracy = parseAccuracy(s); });
   r.flag(
       "--json", o.json,

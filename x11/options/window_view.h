@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "shading/scene/settings.h"
+#include "x11/views/difference.h"
 
 namespace xnewell {
 
@@ -42,23 +43,6 @@ inline constexpr std::array kWindowViews{
     WindowViewRow{WindowView::Viewing, '9', "Viewing", "viewing"},
     WindowViewRow{WindowView::Scanline, '0', "Scanline", "scanline"},
 };
-
-/// What two pictures may differ in at a sample, one row for each.
-enum class Unlike { Face, Intensity, Color };
-struct UnlikeRow {
-  Unlike id;
-  std::string_view name;
-  double unit;  ///< samples count as different above this
-  std::string_view differs, same, unitInWords;
-};
-inline constexpr std::array kUnlikes{
-    UnlikeRow{Unlike::Face, "face", 0.0, "another face", "same in A and B", ""},
-    UnlikeRow{Unlike::Intensity, "intensity", 1.0 / 240, "differs", "below 1/240", "x 1/240"},
-    UnlikeRow{Unlike::Color, "colour", 1.0, "differs", "below 1", "CIEDE2000"},
-};
-[[nodiscard]] constexpr const UnlikeRow& rowOf(Unlike kind) {
-  return kUnlikes[static_cast<std::size_t>(kind)];
-}
 
 /// Where a view begins, beside its scene and the set-up.
 struct WindowPlace {

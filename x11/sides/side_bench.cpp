@@ -283,7 +283,8 @@ void SideBench::measure(Measured& side, const Measured& other, const Picture& pi
     side = other;
     return;
   }
-  side = {picture.settings(), numbersOf(picture, truth_.of(picture)),
+  side = {picture.settings(), comparedWithReference(picture, truth_.of(picture)).difference,
+          static_cast<std::int64_t>(picture.sorted().fragments.size()), picture.sorted().statistics.splits,
           timeOf(picture.scene(), picture.settings())};
 }
 
@@ -306,7 +307,7 @@ void SideBench::draw(Painter paint, const Desk& desk) {
   const ColoredPicture A{desk.picture, ownA}, B{pictureB, ownB};
   noIntensities_ = !hasIntensities(pictureB, desk.picture);
   if (kind_ == Unlike::Intensity && noIntensities_) kind_ = Unlike::Color;
-  const Unlikeness unlike = unlikeness(kind_, A, B);
+  const Difference unlike = unlikeness(kind_, A, B);
   const std::pair<Unlike, std::pair<PictureSettings, PictureSettings>> placed{kind_, {ofA, ofB}};
   if (desk.dragging) {
     places_.clear(), placed_.reset();
@@ -337,11 +338,13 @@ void SideBench::draw(Painter paint, const Desk& desk) {
       {.A = one.A,
        .B = one.B,
        .unlike = unlike,
-       .ofA = {phrasesOf(askedA, askedB), measuredA_.numbers, measuredA_.time},
-       .ofB = {phrasesOf(askedB, askedA), measuredB_.numbers, measuredB_.time},
-       .finding =
-           known ? findingOf(desk.picture, pictureB, measuredA_.numbers, measuredB_.numbers, unlike, place)
-                 : Finding{},
+       .ofA = {phrasesOf(askedA, askedB), measuredA_.errors, measuredA_.painted, measuredA_.cuts,
+               measuredA_.time},
+       .ofB = {phrasesOf(askedB, askedA), measuredB_.errors, measuredB_.painted, measuredB_.cuts,
+               measuredB_.time},
+       .finding = known
+                      ? findingOf(desk.picture, pictureB, measuredA_.errors, measuredB_.errors, unlike, place)
+                      : Finding{},
        .known = known,
        .place = place,
        .number = place_,

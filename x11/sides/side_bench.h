@@ -80,9 +80,10 @@ class SideBench : public Bench {
   [[nodiscard]] Picture makeB(const Desk& desk);
   /// The measurements of a picture with these settings.
   struct Measured {
-    std::optional<PictureSettings> of;
-    SideNumbers numbers;
-    BestTime time;
+    std::optional<PictureSettings> of = {};
+    Difference errors = {};  ///< beside the truth
+    std::int64_t painted = 0, cuts = 0;
+    BestTime time = {};
   };
   void measure(Measured& side, const Measured& other, const Picture& picture);
 

@@ -92,7 +92,7 @@ bool hasIntensities(const Picture& A, const Picture& B) {
   return channelsOf(A.colors().plan()) != Channels::Rgb && channelsOf(B.colors().plan()) != Channels::Rgb;
 }
 
-Unlikeness unlikeness(Unlike kind, const ColoredPicture& A, const ColoredPicture& B) {
+Difference unlikeness(Unlike kind, const ColoredPicture& A, const ColoredPicture& B) {
   std::vector<float> at;
   switch (kind) {
     case Unlike::Face:
@@ -117,7 +117,7 @@ Unlikeness unlikeness(Unlike kind, const ColoredPicture& A, const ColoredPicture
   return {errorMap(std::move(at), A.picture.settings().width, rowOf(kind).unit), kind};
 }
 
-std::vector<DifferingPlace> placesOf(const Unlikeness& unlike, int frameWidth, int frameHeight) {
+std::vector<DifferingPlace> placesOf(const Difference& unlike, int frameWidth, int frameHeight) {
   std::vector<DifferingPlace> places;
   if (unlike.above == 0) return places;
   const int width = unlike.width, height = static_cast<int>(unlike.at.size()) / width;
@@ -145,15 +145,6 @@ std::vector<DifferingPlace> placesOf(const Unlikeness& unlike, int frameWidth, i
     places.push_back(best);
   }
   return places;
-}
-
-SideNumbers numbersOf(const Picture& picture, const Truth& truth) {
-  const Difference difference = comparedWithReference(picture, truth).difference;
-  return {.wrong = difference.wrongFaces,
-          .measure = difference.measure,
-          .errors = difference.errors,
-          .painted = static_cast<std::int64_t>(picture.sorted().fragments.size()),
-          .cuts = picture.sorted().statistics.splits};
 }
 
 BestTime timeOf(const Scene& scene, const PictureSettings& settings) {

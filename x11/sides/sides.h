@@ -23,12 +23,9 @@ struct ColoredPicture {
 };
 
 /// |A - B| at every sample. A picture that shows no face there counts as intensity 0 and as the background
-/// colour.
-struct Unlikeness : ErrorMap {
-  Unlike kind = Unlike::Face;  ///< for faces an error is 0 or 1
-};
-/// Precondition: both have the same scene and size, and hasIntensities() if `kind` is Unlike::Intensity.
-[[nodiscard]] Unlikeness unlikeness(Unlike kind, const ColoredPicture& A, const ColoredPicture& B);
+/// colour. Precondition: both have the same scene and size, and hasIntensities() if `kind` is
+/// Unlike::Intensity.
+[[nodiscard]] Difference unlikeness(Unlike kind, const ColoredPicture& A, const ColoredPicture& B);
 /// False if a picture's cells hold colours, which have no intensity.
 [[nodiscard]] bool hasIntensities(const Picture& A, const Picture& B);
 
@@ -39,19 +36,7 @@ struct DifferingPlace {
   std::int64_t samples = 0;  ///< differing samples that no earlier frame has
 };
 inline constexpr int kMostPlaces = 9;
-[[nodiscard]] std::vector<DifferingPlace> placesOf(const Unlikeness& unlike, int frameWidth, int frameHeight);
-
-/// What is measured of each picture. It is compared with the truth about it (difference.h). Both have the
-/// same truth if their lights and surfaces are the same.
-struct SideNumbers {
-  std::int64_t wrong = 0;  ///< samples that show a wrong face
-  DifferenceMeasure measure = DifferenceMeasure::Intensity;
-  Spread errors;
-  std::int64_t painted = 0;  ///< polygons and pieces
-  std::int64_t cuts = 0;
-};
-/// `picture` is painted.
-[[nodiscard]] SideNumbers numbersOf(const Picture& picture, const Truth& truth);
+[[nodiscard]] std::vector<DifferingPlace> placesOf(const Difference& unlike, int frameWidth, int frameHeight);
 
 /// Milliseconds from the scene's points to the painted picture, with nothing kept from earlier runs: the best
 /// of three runs, or of fewer if they take long.
@@ -84,9 +69,10 @@ struct Phrase {
 /// The names of the settings that differ ("order", "shading", ...), except size and camera.
 [[nodiscard]] std::vector<std::string> differencesOf(const PictureSettings& A, const PictureSettings& B);
 
-/// The finding about two pictures, and why.
-[[nodiscard]] Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA,
-                                const SideNumbers& ofB, const Unlikeness& unlike,
+/// The finding about two pictures, and why. `ofA` and `ofB` compare each with the truth about it. Both have
+/// the same truth if their lights and surfaces are the same.
+[[nodiscard]] Finding findingOf(const Picture& A, const Picture& B, const Difference& ofA,
+                                const Difference& ofB, const Difference& unlike,
                                 const std::optional<DifferingPlace>& place);
 
 }  // namespace xnewell

@@ -111,7 +111,7 @@ void SidesDrawing::drawLegend(const Rect& at) {
   const std::array faces{LegendStep{Cell::Q, kind.differs}, LegendStep{Cell::WellLine, kind.same}};
   const bool twofold = kind.id == Unlike::Face;
   drawStepLegend(pen_.paint.within(at), pen_.plan, at.x + 8, at.y + 8,
-                 twofold ? std::span<const LegendStep>{faces} : kDoublingSteps, kind.unitInWords);
+                 twofold ? std::span<const LegendStep>{faces} : kDoublingSteps, kind.times);
 }
 
 void SidesDrawing::drawDifference() {
@@ -119,7 +119,7 @@ void SidesDrawing::drawDifference() {
   pen_.rule(x, y, at_.sections.width);
   const int kinds = pen_.caps(x, y + 17, "DIFFERENCE") + 14;
   const int end = drawKinds(kinds, y + 17);
-  const Unlikeness& u = page_.unlike;
+  const Difference& u = page_.unlike;
   const double share =
       u.errors.count == 0 ? 0.0 : 100.0 * static_cast<double>(u.above) / static_cast<double>(u.errors.count);
   const std::string percent = fixed(share, 2) + " %",
@@ -159,7 +159,7 @@ std::vector<std::string> SidesDrawing::drawNumbers() {
   for (const auto& [k, name] : {std::pair{0, "A"}, {1, "B"}, {2, "A - B"}})
     sheet.painter().textRight(ends[k] - 1, 17, name, pen_.plan[Cell::Soft], Voice::Bold);
   int y = kSection - 3;
-  const SideNumbers &a = page_.ofA.numbers, &b = page_.ofB.numbers;
+  const SideFacts &a = page_.ofA, &b = page_.ofB;
   const Cell cell = page_.known ? Cell::Ink : Cell::Faint;
   const Voice voice = Voice::Plain;
   const auto row = [&](const std::string& label, std::string ofA, std::string ofB, std::string apart,
@@ -176,13 +176,14 @@ std::vector<std::string> SidesDrawing::drawNumbers() {
     const double apart = (std::round(ofA * unit) - std::round(ofB * unit)) / unit;
     row(label, fixed(ofA, decimals), fixed(ofB, decimals), alike ? fixed(apart + 0.0, decimals) : "");
   };
-  const bool alike = a.measure == b.measure;
-  const int decimals = a.measure == DifferenceMeasure::Intensity && alike ? 4 : 2;
-  count("wrong face, of " + sizeText(page_.A.width, page_.A.height), a.wrong, b.wrong, true);
-  amount("largest error", a.errors.largest, b.errors.largest, decimals, alike);
-  const bool colors = alike && a.measure == DifferenceMeasure::Color;
-  amount(colors ? "root mean square, CIEDE2000" : "root mean square error", a.errors.rootMeanSquare,
-         b.errors.rootMeanSquare, decimals, alike);
+  const bool alike = a.errors.kind == b.errors.kind;
+  const int decimals = alike ? rowOf(a.errors.kind).decimals : 2;
+  count("wrong face, of " + sizeText(page_.A.width, page_.A.height), a.errors.wrongFaces, b.errors.wrongFaces,
+        true);
+  amount("largest error", a.errors.errors.largest, b.errors.errors.largest, decimals, alike);
+  const bool colors = alike && a.errors.kind == Unlike::Color;
+  amount(colors ? "root mean square, CIEDE2000" : "root mean square error", a.errors.errors.rootMeanSquare,
+         b.errors.errors.rootMeanSquare, decimals, alike);
   count("polygons painted", a.painted, b.painted);
   count("cuts", a.cuts, b.cuts);
   amount(
@@ -200,7 +201,8 @@ std::vector<std::string> SidesDrawing::drawNumbers() {
     if (fits()) {
       const int top = y + 6;
       y = sheet.finding(0, top, at.width, finding.bold, finding.why);
-      if (a.wrong != b.wrong) sheet.painter().fillRect({0, top, 3, y - top}, pen_.plan[Cell::Alarm]);
+      if (a.errors.wrongFaces != b.errors.wrongFaces)
+        sheet.painter().fillRect({0, top, 3, y - top}, pen_.plan[Cell::Alarm]);
     }
   }
   if (!page_.colors.empty() && y + 6 + Sheet::paragraphHeight(at.width, page_.colors) <= room)

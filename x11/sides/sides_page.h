@@ -25,15 +25,16 @@ struct SidesLayout {
 
 /// What is known of one of the two pictures.
 struct SideFacts {
-  std::vector<Phrase> made;  ///< how the picture was made, in words
-  SideNumbers numbers;
+  std::vector<Phrase> made;    ///< how the picture was made, in words
+  const Difference& errors;    ///< beside the truth
+  std::int64_t painted, cuts;  ///< polygons and pieces
   BestTime time;
 };
 
 /// All that the page shows.
 struct SidesPage {
   const IndexImage &A, &B;  ///< all pixels of the layout's A, in the cells of one palette
-  const Unlikeness& unlike;
+  const Difference& unlike;
   SideFacts ofA, ofB;
   Finding finding;
   bool known = true;  ///< the numbers belong to these pictures; otherwise new ones will follow, and these are

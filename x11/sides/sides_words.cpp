@@ -18,7 +18,7 @@ bool differs(const Setting& setting, const PictureSettings& A, const PictureSett
 
 /// "where body and spout meet", if most of the differing samples in the frame show faces of these two groups;
 /// "" if groups have no names.
-std::string meetingOf(const Picture& A, const Picture& B, const Unlikeness& unlike, const Rect& frame) {
+std::string meetingOf(const Picture& A, const Picture& B, const Difference& unlike, const Rect& frame) {
   const Mesh& mesh = A.scene().mesh;
   std::map<std::string, int> groups;
   const SeenRows a = A.seen(frame.y, frame.y + frame.height), b = B.seen(frame.y, frame.y + frame.height);
@@ -44,15 +44,13 @@ std::string shareOf(std::int64_t part, std::int64_t all) {
   return fixed(all == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(all), 2) + " %";
 }
 
-std::string whyOf(Order order, std::string_view other, const SideNumbers& numbers) {
+std::string whyOf(Order order, std::string_view other, std::int64_t cuts) {
   std::string why =
       rowOf(order).bits > 0 ? "Where two depths round to one level of the buffer, the later face shows"
       : order == Order::Unsorted
           ? "The scene's own order ignores depth"
           : "One z for each face cannot order faces that overlap in z or pass through each other";
-  if (numbers.cuts > 0)
-    why +=
-        "; " + std::string{other} + " cuts " + (numbers.cuts == 1 ? "once" : counted(numbers.cuts, "time"));
+  if (cuts > 0) why += "; " + std::string{other} + " cuts " + (cuts == 1 ? "once" : counted(cuts, "time"));
   return why + ".";
 }
 
@@ -77,8 +75,8 @@ std::vector<std::string> differencesOf(const PictureSettings& A, const PictureSe
   return what;
 }
 
-Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, const SideNumbers& ofB,
-                  const Unlikeness& unlike, const std::optional<DifferingPlace>& place) {
+Finding findingOf(const Picture& A, const Picture& B, const Difference& ofA, const Difference& ofB,
+                  const Difference& unlike, const std::optional<DifferingPlace>& place) {
   const std::vector<std::string> what = differencesOf(A.settings(), B.settings());
   if (unlike.errors.count == 0) return {"Nothing shows.", "Turn both with t, or zoom with z."};
   if (what.empty())
@@ -91,43 +89,42 @@ Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, co
       place && unlike.kind == Unlike::Face ? meetingOf(A, B, unlike, place->frame) : "";
   const std::string where = meeting.empty() ? "" : ", " + grouped(place->samples) + " of them " + meeting;
 
-  if (A.settings().order != B.settings().order && ofA.wrong + ofB.wrong > 0) {
-    const bool aIsWorse = ofA.wrong >= ofB.wrong;
-    const SideNumbers &worse = aIsWorse ? ofA : ofB, &better = aIsWorse ? ofB : ofA;
+  if (A.settings().order != B.settings().order && ofA.wrongFaces + ofB.wrongFaces > 0) {
+    const bool aIsWorse = ofA.wrongFaces >= ofB.wrongFaces;
+    const Difference &worse = aIsWorse ? ofA : ofB, &better = aIsWorse ? ofB : ofA;
     const std::string name = aIsWorse ? "A" : "B", other = aIsWorse ? "B" : "A";
-    if (better.wrong == 0)
-      return {name + " is wrong at " + counted(worse.wrong, "sample") + where + ".",
-              whyOf((aIsWorse ? A : B).settings().order, other, better)};
+    if (better.wrongFaces == 0)
+      return {
+          name + " is wrong at " + counted(worse.wrongFaces, "sample") + where + ".",
+          whyOf((aIsWorse ? A : B).settings().order, other, (aIsWorse ? B : A).sorted().statistics.splits)};
     // Where an order is exact, only faces that are left out can make a sample wrong.
     const auto exact = [](const Picture& p) { return rowOf(p.settings().order).exact; };
     const std::string reason =
         exact(A) || exact(B) ? "Backs that can be seen are not painted."
                              : "Neither order is exact: those of Newell, the BSP tree and the oracle are.";
-    if (better.wrong == worse.wrong)
-      return {"Both are wrong at " + counted(worse.wrong, "sample") + ".", reason};
-    return {name + " is wrong at " + counted(worse.wrong, "sample") + ", " + other + " at " +
-                grouped(better.wrong) + ".",
+    if (better.wrongFaces == worse.wrongFaces)
+      return {"Both are wrong at " + counted(worse.wrongFaces, "sample") + ".", reason};
+    return {name + " is wrong at " + counted(worse.wrongFaces, "sample") + ", " + other + " at " +
+                grouped(better.wrongFaces) + ".",
             reason};
   }
   const std::string share = shareOf(unlike.above, unlike.errors.count);
-  const DifferenceMeasure measure =
-      unlike.kind == Unlike::Intensity ? DifferenceMeasure::Intensity : DifferenceMeasure::Color;
   const std::string they = unlike.above > 0 ? "They differ at " + share + " of the samples that show a face."
                            : unlike.kind == Unlike::Face
                                ? "Both show the same face at every sample."
                                : "The two pictures differ nowhere by more than " +
-                                     std::string{kMeasures[static_cast<int>(measure)].unitInWords} + ".";
+                                     std::string{rowOf(unlike.kind).unitInWords} + ".";
   const auto table = [](const Picture& picture) { return picture.settings().table.kind; };
   if (what.size() == 1 &&
       std::minmax({table(A), table(B)}) == std::pair{TableKind::Linear, TableKind::Corrected})
     return {"The same intensities get different shades. " + they,
             "In the linear table all steps are equally large. In the corrected table all are the same "
             "percentage, and that is what the eye compares. View 3 plots both."};
-  const int decimals = ofA.measure == DifferenceMeasure::Intensity ? 4 : 2;
+  const int decimals = rowOf(ofA.kind).decimals;
   const bool aIsNearer = ofA.errors.rootMeanSquare < ofB.errors.rootMeanSquare;
   const std::string least = fixed(std::min(ofA.errors.rootMeanSquare, ofB.errors.rootMeanSquare), decimals),
                     most = fixed(std::max(ofA.errors.rootMeanSquare, ofB.errors.rootMeanSquare), decimals);
-  if (ofA.measure == ofB.measure && least != most)
+  if (ofA.kind == ofB.kind && least != most)
     return {std::string{aIsNearer ? "A" : "B"} + " is closer to the truth overall.",
             "Its root mean square error is " + least + ", against " + most + ". " + they};
   if (unlike.above > 0)

@@ -20,9 +20,4 @@ Setup measuredPart(Setup setup) {
   return setup;
 }
 
-double valueOf(const Change& shortCut, const Setup& setup) {
-  if (!shortCut.setting) return setup.divisions;
-  return std::get<double>(shortCut.setting->field.get(setup.picture));
-}
-
 }  // namespace xnewell

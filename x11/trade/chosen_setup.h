@@ -12,7 +12,4 @@ namespace xnewell {
 /// shows.
 [[nodiscard]] Setup measuredPart(Setup setup);
 
-/// The value of a short cut in a setup.
-[[nodiscard]] double valueOf(const Change& shortCut, const Setup& setup);
-
 }  // namespace xnewell

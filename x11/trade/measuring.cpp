@@ -1,8 +1,6 @@
 #include "x11/trade/measuring.h"
 
-#include <algorithm>
 #include <exception>
-#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -17,16 +15,11 @@ constexpr double kBetweenNews = 150;  // ms
 
 }  // namespace
 
-Measuring::Measuring(Scene scene, const PictureSettings& settings, TradeRequest request,
-                     std::vector<std::string> without) {
-  auto measure = [this, scene = Shared<Scene>{std::move(scene)}, settings, request = std::move(request),
-                  without = std::move(without)]() mutable {
+Measuring::Measuring(Scene scene, const PictureSettings& settings, TradeRequest request) {
+  auto measure = [this, scene = Shared<Scene>{std::move(scene)}, settings,
+                  request = std::move(request)]() mutable {
     try {
       request.axes = choosableAxes(PictureCache{scene}.make(settings));
-      std::erase_if(request.axes, [&](const std::string& axis) {
-        return std::ranges::find(without, axis) != without.end();
-      });
-      if (request.axes.empty()) throw std::runtime_error{"every short cut is chosen already"};
       publish({measured(scene, settings, request), "", true, ""});
     } catch (const std::exception& e) {
       publish({{}, "", true, e.what()});

@@ -15,9 +15,8 @@ namespace xnewell {
 /// A trade that is measured on a thread of its own, while the window goes on.
 class Measuring {
  public:
-  /// Starts at once, on the axes of choosableAxes() but those in `without`.
-  Measuring(Scene scene, const PictureSettings& settings, TradeRequest request,
-            std::vector<std::string> without = {});
+  /// Starts at once, on the axes of choosableAxes().
+  Measuring(Scene scene, const PictureSettings& settings, TradeRequest request);
   Measuring(const Measuring&) = delete;
   Measuring& operator=(const Measuring&) = delete;
   /// Stops it and waits for the end of what it is doing, at most one picture.

@@ -7,7 +7,6 @@
 
 #include "geometry/files/output_file.h"
 #include "shading/color/png.h"
-#include "shading/trade/combine.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/wording.h"
 #include "x11/trade/chosen_setup.h"
@@ -79,7 +78,6 @@ void TradeBench::pick(int combination) {
 
 void TradeBench::setLimit(double limit) {
   limit_.rms = std::clamp(limit, kLimits.low, kLimits.high);
-  if (host_.keptWithin()) host_.keepWithin(limit_);
   picked_.reset();
   choose();
 }
@@ -188,11 +186,7 @@ KeyTable TradeBench::ownKeys() {
                  {{'5'},
                   "beside no short cuts",
                   "use it, and compare it with the set-up without short cuts",
-                  [this](const Key&) { compareChosen(); }},
-                 {{'k'},
-                  "keep the limit",
-                  "keep the limit: other views choose again after each change",
-                  [this](const Key&) { keepLimit(); }}};
+                  [this](const Key&) { compareChosen(); }}};
   table.push_back({{'n'},
                    "next worst place",
                    "the next of the worst places; or click one",
@@ -205,14 +199,6 @@ KeyTable TradeBench::ownKeys() {
       {{'m'}, "measure again", "measure again", [this](const Key&) { again_ = changed_ = true; }});
   table.push_back({{'w'}, "save", "save the chart or the table", [this](const Key&) { askToSave(); }});
   return table;
-}
-
-void TradeBench::keepLimit() {
-  host_.keepWithin(host_.keptWithin() ? std::nullopt : std::optional{limit_});
-  host_.tell(host_.keptWithin() ? "The other views now keep within " + textOfLimit(limit_.rms) +
-                                      ", and measure after each change."
-                                : "The set-up stays as it is now.");
-  changed_ = true;
 }
 
 bool TradeBench::grab(int x, int y) {
@@ -280,10 +266,6 @@ void TradeBench::paintChosen(const Desk& desk) {
 
 void TradeBench::draw(Painter paint, const Desk& desk) {
   at_ = layoutOfTrade(desk.layout.body, desk.layout.picture);
-  if (const std::optional<AccuracyLimit> kept = host_.keptWithin(); kept && *kept != limit_) {
-    limit_ = *kept;
-    choose();
-  }
   if (measuredScene_ != desk.picture.scene().name) measuredOf_.reset();
   if (again_ || !measuredOf_) {
     pictures_.reset();
@@ -300,7 +282,6 @@ void TradeBench::draw(Painter paint, const Desk& desk) {
                  .doing = known_.doing,
                  .failure = known_.failure,
                  .single = single_,
-                 .kept = host_.keptWithin().has_value(),
                  .stale = stale,
                  .axes = axes_,
                  .limit = limit_.rms,

@@ -60,7 +60,6 @@ class TradeBench : public Bench {
   /// Shows it in view 5, beside the set-up without short cuts.
   void compareChosen();
   void askToSave();
-  void keepLimit();
   void paintChosen(const Desk& desk);
   [[nodiscard]] bool isStale(const Desk& desk) const;
 

@@ -136,7 +136,6 @@ class TradeDrawing {
     const int x = at_.controls.x, width = at_.controls.width;
     pen_.rule(x, at_.controls.y - 22, width);
     pen_.caps(x, at_.controls.y - 6, "limit and axes");
-    if (page_.kept) pen_.softRight(x + width, at_.controls.y - 6, "kept in all views");
     drawTradeLegend(pen_.paint, pen_.plan, x, at_.controls.y + at_.controls.height + 12);
   }
 

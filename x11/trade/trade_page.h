@@ -42,7 +42,6 @@ struct TradePage {
   std::string doing;    ///< what is being measured; "" if all is done
   std::string failure;  ///< why there is no trade
   bool single = false;  ///< the combinations are single short cuts, because no others are known yet
-  bool kept = false;    ///< the limit is kept in all views
   bool stale = false;   ///< the set-up is no longer the one that was measured
   TradeAxes axes;
   double limit = 0.03;

@@ -11,8 +11,8 @@ namespace xnewell {
 
 namespace {
 
-Difference differenceOf(DifferenceMeasure measure, std::vector<float> errors, int width) {
-  return {errorMap(std::move(errors), width, kMeasures[static_cast<int>(measure)].unit), measure};
+Difference differenceOf(Unlike kind, std::vector<float> errors, int width) {
+  return {errorMap(std::move(errors), width, rowOf(kind).unit), kind};
 }
 
 /// The reference in the ramps of the picture. Several hues share the cells by what a picture shows of each,
@@ -59,11 +59,11 @@ Compared comparedWithReference(const Picture& picture, const Truth& truth) {
   const Comparison comparison{picture, truth, palette};
   Compared result{{settings.width, settings.height, picture.ground()}, {}};
   if (channelsOf(picture.colors().plan()) == Channels::Rgb) {
-    result.difference = differenceOf(DifferenceMeasure::Color, comparison.colorErrors(), settings.width);
+    result.difference = differenceOf(Unlike::Color, comparison.colorErrors(), settings.width);
     paintInColors(result.reference, picture, palette, reference, comparison);
   } else {
-    result.difference = differenceOf(DifferenceMeasure::Intensity,
-                                     comparison.intensityErrors(TableSide::After), settings.width);
+    result.difference =
+        differenceOf(Unlike::Intensity, comparison.intensityErrors(TableSide::After), settings.width);
     paintInRamps(result.reference, picture, reference, comparison);
   }
   result.difference.wrongFaces = comparison.wrongFaceCount();

@@ -14,23 +14,30 @@ namespace xnewell {
 /// How wrong is a picture, and where? It is compared with the truth about it (truth.h): the same scene,
 /// camera and light, and no short cut. The errors are those of errors.h, after the table.
 
-/// How a difference is measured, one row for each measure.
-enum class DifferenceMeasure { Intensity, Color };
-struct MeasureRow {
-  DifferenceMeasure id;
-  double unit;  ///< a difference should stay below this
-  std::string_view unitInWords, times, means;
+/// What two pictures may differ in at a sample, one row for each.
+enum class Unlike { Face, Intensity, Color };
+struct UnlikeRow {
+  Unlike id;
+  std::string_view name;
+  double unit;   ///< samples count as different above this
+  int decimals;  ///< of a difference
+  std::string_view differs, same, times, unitInWords, means;
 };
-inline constexpr std::array kMeasures{
-    MeasureRow{DifferenceMeasure::Intensity, 1.0 / 240, "1/240", "x 1/240", "one shade of 240"},
-    MeasureRow{DifferenceMeasure::Color, 1.0, "CIEDE2000 1", "CIEDE2000",
-               "what the eye just sees side by side"},
+inline constexpr std::array kUnlikes{
+    UnlikeRow{Unlike::Face, "face", 0.0, 0, "another face", "same in A and B", "", "", ""},
+    UnlikeRow{Unlike::Intensity, "intensity", 1.0 / 240, 4, "differs", "below 1/240", "x 1/240", "1/240",
+              "one shade of 240"},
+    UnlikeRow{Unlike::Color, "colour", 1.0, 2, "differs", "below 1", "CIEDE2000", "CIEDE2000 1",
+              "what the eye just sees side by side"},
 };
+[[nodiscard]] constexpr const UnlikeRow& rowOf(Unlike kind) {
+  return kUnlikes[static_cast<std::size_t>(kind)];
+}
 
-/// The errors by that measure; Color if the cells hold colours, not ramps.
+/// How unlike two pictures are, or a picture and the truth about it.
 struct Difference : ErrorMap {
-  DifferenceMeasure measure = DifferenceMeasure::Intensity;
-  std::int64_t wrongFaces = 0;
+  Unlike kind = Unlike::Intensity;  ///< for faces an error is 0 or 1
+  std::int64_t wrongFaces = 0;      ///< of a picture beside the truth
 };
 
 /// The reference in the picture's own cells, and how far the picture is from it.

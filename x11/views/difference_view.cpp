@@ -49,7 +49,7 @@ void drawSteps(Sheet& sheet, const Difference& d, const Rect& at, const CellPlan
 }
 
 /// Draws the steps side by side with their limits below the borders, and what they mean in words.
-int drawScale(Sheet& sheet, const MeasureRow& measure, int x, int y) {
+int drawScale(Sheet& sheet, const UnlikeRow& measure, int x, int y) {
   Painter painter = sheet.painter();
   for (int step = 0; step < static_cast<int>(kDoublingSteps.size()); ++step) {
     painter.fillRect({x + step * kDifferenceSwatch, y, kDifferenceSwatch, 12},
@@ -78,12 +78,12 @@ std::string share(const Difference& d) {
 
 void drawNumbers(Sheet& sheet, const Difference& d, int x, int y, int width) {
   const int height = static_cast<int>(d.at.size()) / d.width;
-  const MeasureRow& measure = kMeasures[static_cast<int>(d.measure)];
-  const int decimals = d.measure == DifferenceMeasure::Intensity ? 4 : 2;
+  const UnlikeRow& measure = rowOf(d.kind);
+  const int decimals = measure.decimals;
   const auto row = [&](const std::string& label, const std::string& value) {
     y = sheet.tableRow(x, y, label, {value}, {width});
   };
-  const std::string of = d.measure == DifferenceMeasure::Intensity ? ", intensity" : ", CIEDE2000";
+  const std::string of = d.kind == Unlike::Intensity ? ", intensity" : ", CIEDE2000";
   row("samples that show a face", grouped(d.errors.count) + " of " + sizeText(d.width, height));
   row("mean difference" + of, fixed(d.errors.mean, decimals));
   row("largest difference", fixed(d.errors.largest, decimals));
@@ -105,8 +105,8 @@ IndexImage stepsImage(const ErrorMap& errors, const CellPlan& plan) {
 }
 
 Finding findingOf(const Difference& d) {
-  const MeasureRow& measure = kMeasures[static_cast<int>(d.measure)];
-  const int decimals = d.measure == DifferenceMeasure::Intensity ? 4 : 2;
+  const UnlikeRow& measure = rowOf(d.kind);
+  const int decimals = measure.decimals;
   const std::string unit{measure.unitInWords};
   if (d.errors.count == 0) return {"Nothing shows.", ""};
   Finding finding{
@@ -136,9 +136,8 @@ ColoredImage drawDifference(const Picture& picture, const ViewSettings& settings
           std::string{rowOf(shown.shading).label} + ", " + std::string{rowOf(shown.order).label},
           "as it is painted");
   caption(sheet, at.reference, at.captions, "the reference",
-          compared.difference.measure == DifferenceMeasure::Color
-              ? "without short cuts, in the picture's cells"
-              : "true normals, L and V at every pixel");
+          compared.difference.kind == Unlike::Color ? "without short cuts, in the picture's cells"
+                                                    : "true normals, L and V at every pixel");
   sheet.painter().place(picture.image(), whole, at.picture.x, at.picture.y);
   sheet.painter().place(compared.reference, whole, at.reference.x, at.reference.y);
   sheet.section(at.difference.x, at.sections, at.difference.width, "difference");

@@ -41,7 +41,7 @@ ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, 
       const Compared compared = comparedWithReference(picture, truth.of(picture));
       ShownPicture shown{stepsImage(compared.difference, plan), palette, findingOf(compared.difference).bold};
       drawStepLegend({shown.image, unit}, plan, kLegend, kLegend, kDoublingSteps,
-                     kMeasures[static_cast<int>(compared.difference.measure)].times);
+                     rowOf(compared.difference.kind).times);
       return shown;
     }
     case Show::Exactness: {

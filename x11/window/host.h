@@ -28,10 +28,6 @@ class Host : public Prompt {
   virtual void fill(const std::string& polygon) = 0;
   /// Shows the setup in view 5, beside B.
   virtual void compare(const Setup& B) = 0;
-  /// From now on the window chooses its short cuts by itself, the cheapest that stay within this limit; or it
-  /// no longer does.
-  virtual void keepWithin(std::optional<AccuracyLimit> limit) = 0;
-  [[nodiscard]] virtual std::optional<AccuracyLimit> keptWithin() const = 0;
   /// Changes the setup in a way that can be undone. Changes in a row with the same `control` are undone as
   /// one.
   virtual void change(char control, const std::function<void(Setup&)>& edit) = 0;

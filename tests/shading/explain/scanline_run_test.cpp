@@ -8,7 +8,7 @@
 #include <string>
 
 #include "depthsort/oracle.h"
-#include "geometry/exact/extended.h"
+#include "tests/support/extended.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/seeds.h"
 

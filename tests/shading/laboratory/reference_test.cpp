@@ -99,7 +99,7 @@ Agreement agreement(const Scene& scene, const PictureSettings& settings) {
       }
       ++result.compared;
       const glm::dvec3 I = reference.I(k);
-      using std::abs;  // and that of SoftExtended
+      using std::abs;  // and that of two doubles
       for (int c = 0; c < 3; ++c)
         result.largest = std::max(result.largest, static_cast<double>(abs(I[c] - lit.I[c])));
     }

@@ -10,7 +10,6 @@
 #include "shading/laboratory/exactness.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/trade/choice.h"
-#include "shading/trade/combine.h"
 #include "shading/trade/measure.h"
 #include "tests/support/seeds.h"
 #include "tests/support/small_picture.h"

@@ -36,8 +36,6 @@ class BenchStage : public Host {
   void explain(double, double) override {}
   void fill(const std::string&) override {}
   void compare(const xnewell::Setup& B) override { compared = B; }
-  void keepWithin(std::optional<AccuracyLimit> limit) override { kept = limit; }
-  [[nodiscard]] std::optional<AccuracyLimit> keptWithin() const override { return kept; }
   void ask(Question asked) override { question = std::move(asked); }
   void notify(std::string notice) override { notices.push_back(std::move(notice)); }
   void tell(std::string news) override { notices.push_back(std::move(news)); }
@@ -89,7 +87,6 @@ class BenchStage : public Host {
   std::vector<xnewell::Setup> undone;
   std::optional<xnewell::Setup> compared;
   std::optional<Question> question;
-  std::optional<AccuracyLimit> kept;
   bool taken = false;  ///< whether the bench took the last key
 };
 

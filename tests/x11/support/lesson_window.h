@@ -33,8 +33,6 @@ class LessonWindow : public Host {
   void explain(double, double) override {}
   void fill(const std::string&) override {}
   void compare(const Setup&) override {}
-  void keepWithin(std::optional<AccuracyLimit>) override {}
-  [[nodiscard]] std::optional<AccuracyLimit> keptWithin() const override { return {}; }
   void ask(Question asked) override { question = std::move(asked); }
   void notify(std::string n) override { notice = std::move(n); }
   void tell(std::string n) override { notice = std::move(n); }

@@ -85,8 +85,6 @@ class Stepper : private Host {
   void explain(double, double) override {}
   void fill(const std::string&) override {}
   void compare(const xnewell::Setup&) override {}
-  void keepWithin(std::optional<AccuracyLimit>) override {}
-  [[nodiscard]] std::optional<AccuracyLimit> keptWithin() const override { return {}; }
   void ask(Question question) override { questions.push_back(std::move(question)); }
   void notify(std::string notice) override { notices.push_back(std::move(notice)); }
   void tell(std::string news) override { notices.push_back(std::move(news)); }

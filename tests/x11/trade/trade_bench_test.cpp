@@ -49,8 +49,9 @@ struct Measured6 {
 
 }  // namespace
 
-// What is chosen at first is the fastest that stays within the limit.
+// What is chosen at first is the fastest that stays within the limit, but for ties.
 TEST(TradeBench, ChoosesWithinTheLimit) {
+  constexpr double kTimeTie = 1.5;
   Measured6 m;
   ASSERT_GE(m.bench.chosen(), 0);
   m.press("=");
@@ -136,25 +137,6 @@ TEST(TradeBench, AMarkCanBeClicked) {
     EXPECT_EQ(scale.x(TradeAxes{}.costOf(m.chosen())), x);
     EXPECT_EQ(scale.y(TradeAxes{}.errorOf(m.chosen())), y);
   }
-}
-
-// The view starts with the limit that the window keeps, and follows it.
-TEST(TradeBench, FollowsTheLimitThatIsKept) {
-  BenchStage stage{"lamp", 3, 800, 600};
-  stage.kept = AccuracyLimit{0.1};
-  TradeBench bench{stage, kQuick};
-  stage.draw(bench);
-  EXPECT_EQ(bench.limit(), 0.1);
-  stage.press(bench, NamedKey::Down);
-  EXPECT_LT(bench.limit(), 0.1);
-  EXPECT_EQ(stage.kept, AccuracyLimit{bench.limit()});
-  stage.kept = AccuracyLimit{0.0001};  // smaller than the slider's least
-  stage.draw(bench);
-  EXPECT_EQ(bench.limit(), 0.0001);
-  EXPECT_EQ(textOfLimit(bench.limit()), "0.0001");
-  stage.kept.reset();
-  stage.draw(bench);
-  EXPECT_EQ(bench.limit(), 0.0001);
 }
 
 // The handle of the limit's line can be dragged on both sides of the chart's edge.

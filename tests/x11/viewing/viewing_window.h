@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "shading/scene/units.h"
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/viewing/viewing_bench.h"
 

@@ -66,7 +66,7 @@ TEST(Difference, IsThatOfEverySample) {
   const PictureSettings s = small(Shading::Flat);
   const Compared result = compared(balls.make(s, 8));
   const Difference& d = result.difference;
-  EXPECT_EQ(d.measure, DifferenceMeasure::Intensity);
+  EXPECT_EQ(d.kind, Unlike::Intensity);
   const std::vector<double> flat = balls.last().intensities(balls.last().seen(0, s.height));
   const Truth truth{balls.last()};
   const Reference& reference = truth.reference();
@@ -174,7 +174,7 @@ TEST(Difference, OfColoursIsHowTheyLook) {
   PictureSettings s = small(Shading::Phong);
   s.colors = ColorPlan::Chosen;
   Compared result = compared(balls.make(s, 8));
-  EXPECT_EQ(result.difference.measure, DifferenceMeasure::Color);
+  EXPECT_EQ(result.difference.kind, Unlike::Color);
   EXPECT_GT(result.difference.errors.count, 5000);
   EXPECT_EQ(result.difference.above, 0);
   int differ = 0;  // a channel has 255 steps, so some samples are rounded to the next colour
