@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/exact/plane.h"
+#include "geometry/model/coplanar.h"
 #include "geometry/view/clip.h"
 #include "geometry/view/depth_doubt.h"
 #include "geometry/view/plane_record.h"
@@ -334,16 +335,15 @@ void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, 
       continue;
     }
     const ModelPlane plane =
-        parts.planes.empty() ? newellPlaneOf(mesh, parts, face.part) : parts.planes[face.plane];
+        parts.frame ? planeOf(mesh, parts, face.part) : newellPlaneOf(mesh, parts, face.part);
     const std::optional<ScreenPlane> ofModel = records.of(plane, placeInPicture(scene, face, width, height));
     scene.planes.push_back(ofModel ? *ofModel : planeThroughAll(scene, f, next));
     for (int g = f; g >= 0; g = next[g]) {
       SnappedFace& member = scene.faces[g];
       member.doubt = doubt.of(scene.planes.back(), mesh.roundingOf(member.number));
-      if (ofModel && !parts.own.empty() && parts.own[member.part] != member.plane) {
+      if (const ModelPlane* const own = parts.own.find(member.part); ofModel && own) {
         scene.ahead.resize(parts.count());
-        scene.ahead[member.part] = records.ahead(parts.planes[parts.own[member.part]], plane,
-                                                 placeInPicture(scene, member, width, height));
+        scene.ahead[member.part] = records.ahead(*own, plane, placeInPicture(scene, member, width, height));
       }
       member.plane = record;
     }
