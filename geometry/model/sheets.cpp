@@ -185,8 +185,8 @@ void Sheets::findPlaces(std::span<const int> some, Places& result) const {
     const Shape shape = shapeOf(P);
     if (shape.area == 0.0) continue;
     const Place place = placeOf(P, shape.steepness, from, mostRounding_);
-    const double length =
-        std::hypot(place.high[3] - place.low[3], place.high[4] - place.low[4], place.high[5] - place.low[5]);
+    const double length = glm::length(
+        glm::dvec3{place.high[3] - place.low[3], place.high[4] - place.low[4], place.high[5] - place.low[5]});
     const bool dust = length < 0.9 * delta(P.sheet.u);
     ItemBox& item = (dust ? result.dust : result.among)
                         .emplace_back(ItemBox{
