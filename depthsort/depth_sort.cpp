@@ -25,7 +25,9 @@ PolygonList facesOf(const SnappedScene& scene, const SortSettings& settings, con
     Polygon P{.extents = extentsOf(scene, face, tests.vertexDepthsAreExact(face)), .face = f};
     if (!settings.textbook) {
       ScreenBox& box = P.extents.box;
-      if (!mayShow(scene, face, box, settings.width, settings.height, settings.inPixels)) continue;
+      if (settings.samples ? !mayShow(scene, face, box, settings.width, settings.height, settings.inPixels)
+                           : !box.overlaps(picture))
+        continue;
       // What is farther outside is not compared.
       box = {std::max(box.x0, picture.x0), std::max(box.y0, picture.y0), std::min(box.x1, picture.x1),
              std::min(box.y1, picture.y1)};

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -141,7 +142,7 @@ struct SortStatistics {
   std::int64_t free = 0;  ///< polygons that were painted without a test (free_polygons.h)
   int deepest = 0;  ///< most polygons marked at once; in a BSP tree, most nodes on the way from the root
   std::int64_t areas = 0;       ///< into which the picture was divided; 0 if it was not (areas.h)
-  std::int64_t hidden = 0;      ///< polygons that were left out of an area, or cut, because they are hidden
+  std::int64_t hidden = 0;      ///< polygons that were left out, or cut, because they are hidden
   std::int64_t nodes = 0;       ///< of a BSP tree (bsp_tree.h)
   std::int64_t depthTests = 0;  ///< of a z-buffer: depths that were compared (z_buffer.h)
   /// What the method keeps while it paints: the list of bytesOf(), with the nodes of a BSP tree; or a
@@ -169,11 +170,14 @@ struct SortSettings {
   /// without a sample may show.
   bool inPixels = false;
   /// For the quick run: true if only the samples of a picture must be right. If false, the order is right at
-  /// every place, and no polygon counts as free.
+  /// every place; no polygon counts as free, and none is left out because it has no sample.
   bool samples = true;
   bool grid = true;  ///< for the quick run; if false, the Q's come from one list
   /// True if the quick run may divide the picture (areas.h). A run that records does not.
   bool areas = true;
+  /// After so many splits, polygons that one face hides are left out, if the picture is not divided: most
+  /// pieces are hidden where many polygons cross.
+  std::int64_t keepHidden = std::numeric_limits<std::int64_t>::max();
   bool record = false;                            ///< fills SortedScene::list and events
   std::size_t mostEvents = std::size_t{1} << 24;  ///< of 12 bytes each
   int mostPieces = kMostPieces;

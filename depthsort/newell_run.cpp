@@ -121,6 +121,12 @@ class NewellRun {
     sorted_.statistics.deepest = std::max(sorted_.statistics.deepest, static_cast<int>(stack_.size()));
   }
   void paint(int P);
+  /// Leaves out a polygon that no one sees. What hides it is never left out unless something hides that.
+  void leaveOut(int P);
+  void close(int P);
+  [[nodiscard]] bool isHidden(int P, int Q) {
+    return splits_ > settings_.keepHidden && tests_.hides(shapeOf(Q), shapeOf(P));
+  }
   void breakCycle(int P, int R);
   void splitCrossing(int P, int R);
   /// Unmarks all polygons from this depth of the stack on. Their walks keep what is settled.
@@ -269,7 +275,7 @@ void NewellRun::step() {
     note({Event::Kind::Compare, relation.test, relation.verdict, relation.contact, idOf(P), idOf(Q)});
   switch (relation.verdict) {
     case Verdict::PFirst:
-      return settle(P);
+      return isHidden(P, Q) ? leaveOut(P) : settle(P);
     case Verdict::QFirst:
       if (list_[Q].state == State::Marked) return breakCycle(P, Q);
       ++sorted_.statistics.moves;
@@ -285,6 +291,16 @@ void NewellRun::paint(int P) {
   stack_.pop_back();
   const int piece = progress_[P].piece;
   sorted_.fragments.push_back({list_[P].face, piece == kNone ? kNone : firstPiece_ + piece});
+  close(P);
+}
+
+void NewellRun::leaveOut(int P) {
+  if (list_[P].state == State::Marked) unwind(progress_[P].depth);
+  ++sorted_.statistics.hidden;
+  close(P);
+}
+
+void NewellRun::close(int P) {
   list_[P].state = State::Painted;
   forget(P);
   // A split polygon is painted when both its pieces are.
@@ -367,6 +383,7 @@ void NewellRun::split(int P, int Q) {
   progress_[P].pieces = static_cast<int>(list_.size());
   addPiece(P, std::move(parts.behind));
   addPiece(P, std::move(parts.front));
+  if (const int behind = progress_[P].pieces; isHidden(behind, Q)) leaveOut(behind);
 }
 
 void NewellRun::addPiece(int P, Region region) {

@@ -130,6 +130,15 @@ bool PairTests::counts(const Region& part, const SnappedFace& front, const Snapp
   return isWide(part) || ownsSample(scene_, part, width_, height_);
 }
 
+bool PairTests::hides(const Shape& Q, const Shape& P) {
+  const Signs signs = signsOver(P, Q);
+  if (signs.positive || !signs.negative) return false;
+  const Region& p = regionOf(P, bufferP_);
+  regions_.outline(Q.face, bufferQ_);
+  return std::ranges::none_of(bufferQ_,
+                              [&](const Side& side) { return regions_.signs(side.line, p).negative; });
+}
+
 bool PairTests::overlapCounts(const Shape& P, const Shape& Q) {
   overlap(P, Q);
   return !both_.empty() && counts(both_, P.face, Q.face);

@@ -43,6 +43,8 @@ class PairTests {
   /// True if this one of the textbook's tests 1 to 5, made alone, says that P may be painted before Q. Tests
   /// 3 and 4 say nothing of two polygons in one plane.
   [[nodiscard]] bool passes(Test test, const Shape& P, const Shape& Q);
+  /// True if Q's whole face covers P, and its plane is in front of all of P.
+  [[nodiscard]] bool hides(const Shape& Q, const Shape& P);
   /// True if there is an overlap, where P is in front of Q, and it is more than a contact.
   [[nodiscard]] bool overlapCounts(const Shape& P, const Shape& Q);
   /// True if Q's plane properly crosses P. Then split() returns the parts of P behind it and in front of it.

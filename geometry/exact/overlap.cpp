@@ -2,8 +2,6 @@
 
 #include <cmath>
 #include <functional>
-#include <numeric>
-#include <utility>
 
 namespace xnewell {
 
@@ -16,23 +14,21 @@ namespace xnewell {
   return apart == 0;
 }
 
-BoxCells::BoxCells(std::span<const ItemBox> boxes) {
-  constexpr std::size_t kSample = 256;
-  constexpr double kBoxesWide = 4.0;
-  const std::size_t count = std::min(kSample, boxes.size());
+BoxCells::BoxCells(std::span<const ItemBox> sample, std::size_t boxes, double boxesWide) {
+  const std::size_t count = sample.size();
   std::array<Axis, 6> all;
   std::array<double, 6> cells{};  // of the middle nine tenths of the boxes
   std::vector<float> centres(count), widths(count);
   for (int axis = 0; axis < 6; ++axis) {
     for (std::size_t s = 0; s < count; ++s) {
-      const ItemBox& box = boxes[s * boxes.size() / count];
+      const ItemBox& box = sample[s];
       centres[s] = (box.low[axis] + box.high[axis]) / 2.0f;
       widths[s] = box.high[axis] - box.low[axis];
     }
     std::ranges::sort(centres);
     std::ranges::nth_element(widths, widths.begin() + count / 2);
     const float from = centres[count / 20], to = centres[count - 1 - count / 20];
-    const double width = kBoxesWide * widths[count / 2];
+    const double width = boxesWide * widths[count / 2];
     all[axis] = {axis, 1, from, 0.0f};
     cells[axis] = width > 0.0 ? std::min(1024.0, (to - from) / width) : to > from ? 1024.0 : 1.0;
     if (cells[axis] >= 2.0) all[axis].perUnit = static_cast<float>(cells[axis] / (to - from));
@@ -43,41 +39,11 @@ BoxCells::BoxCells(std::span<const ItemBox> boxes) {
   // No more cells than boxes: where there would be more, they are larger.
   double product = 1.0;
   for (const Axis& a : axes_) product *= std::max(1.0, cells[a.axis]);
-  const double larger = std::max(1.0, std::cbrt(product / static_cast<double>(boxes.size())));
+  const double larger = std::max(1.0, std::cbrt(product / static_cast<double>(boxes)));
   for (Axis& a : axes_) {
     a.cells = static_cast<int>(std::max(1.0, cells[a.axis] / larger));
     a.perUnit = a.cells == 1 ? 0.0f : a.perUnit / static_cast<float>(larger);
   }
-}
-
-template <class Visit>
-void BoxCells::forCells(const ItemBox& box, const Visit& visit) const {
-  const auto& [x, y, z] = axes_;
-  const int x1 = x.cellOf(box.high[x.axis]), y1 = y.cellOf(box.high[y.axis]), z1 = z.cellOf(box.high[z.axis]),
-            z0 = z.cellOf(box.low[z.axis]);
-  for (int i = x.cellOf(box.low[x.axis]); i <= x1; ++i)
-    for (int j = y.cellOf(box.low[y.axis]); j <= y1; ++j)
-      for (int k = z0; k <= z1; ++k) visit((i * y.cells + j) * z.cells + k);
-}
-
-BoxCells::Lists BoxCells::lists(std::span<const ItemBox> boxes) const {
-  constexpr std::size_t kMostCellsOfABox = 4;  // on the average
-  const int cells = axes_[0].cells * axes_[1].cells * axes_[2].cells;
-  Lists lists;
-  if (cells < 8) return lists;
-  std::vector<int> begin(cells + 2);  // moved by one place, so that filling the lists moves it back
-  std::size_t entries = 0;
-  for (const ItemBox& box : boxes) {
-    forCells(box, [&](int c) { ++begin[c + 2], ++entries; });
-    if (entries > kMostCellsOfABox * boxes.size()) return lists;
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  lists.boxes.resize(entries);
-  for (std::size_t k = 0; k < boxes.size(); ++k)
-    forCells(boxes[k], [&](int c) { lists.boxes[begin[c + 1]++] = static_cast<int>(k); });
-  begin.pop_back();
-  lists.begin = std::move(begin);
-  return lists;
 }
 
 BoxCut chooseCut(std::span<const ItemBox> boxes) {

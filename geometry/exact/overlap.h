@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace xnewell {
@@ -40,8 +42,11 @@ constexpr int kMostRefinements = 4;
 /// room that they lie in. Boxes that overlap are both in one of the cells.
 class BoxCells {
  public:
-  /// Chooses the cells from a sample of the boxes. They are about four boxes wide.
-  explicit BoxCells(std::span<const ItemBox> boxes);
+  /// Chooses the cells from a sample of the boxes, which boxAt(0..count - 1) returns. They are about so many
+  /// boxes wide.
+  template <class BoxAt>
+  BoxCells(std::size_t count, const BoxAt& boxAt, double boxesWide = 4.0)
+      : BoxCells{sampleOf(count, boxAt), count, boxesWide} {}
 
   /// The boxes, cell by cell, as indices: those of cell c are [begin[c], begin[c + 1]). A box is in each cell
   /// that it reaches into. There are no cells if cells would not separate the boxes.
@@ -52,9 +57,36 @@ class BoxCells {
       return {boxes.data() + begin[c], boxes.data() + begin[c + 1]};
     }
   };
-  [[nodiscard]] Lists lists(std::span<const ItemBox> boxes) const;
+  template <class BoxAt>
+  [[nodiscard]] Lists lists(std::size_t count, const BoxAt& boxAt) const {
+    constexpr std::size_t kMostCellsOfABox = 4;  // on the average
+    const int cells = axes_[0].cells * axes_[1].cells * axes_[2].cells;
+    Lists lists;
+    if (cells < 8) return lists;
+    std::vector<int> begin(cells + 2);  // moved by one place, so that filling the lists moves it back
+    std::size_t entries = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      forCells(boxAt(k), [&](int c) { ++begin[c + 2], ++entries; });
+      if (entries > kMostCellsOfABox * count) return lists;
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    lists.boxes.resize(entries);
+    for (std::size_t k = 0; k < count; ++k)
+      forCells(boxAt(k), [&](int c) { lists.boxes[begin[c + 1]++] = static_cast<int>(k); });
+    begin.pop_back();
+    lists.begin = std::move(begin);
+    return lists;
+  }
 
  private:
+  BoxCells(std::span<const ItemBox> sample, std::size_t boxes, double boxesWide);
+  template <class BoxAt>
+  [[nodiscard]] static std::vector<ItemBox> sampleOf(std::size_t count, const BoxAt& boxAt) {
+    constexpr std::size_t kSample = 256;
+    std::vector<ItemBox> sample(std::min(kSample, count));
+    for (std::size_t s = 0; s < sample.size(); ++s) sample[s] = boxAt(s * count / sample.size());
+    return sample;
+  }
   struct Axis {
     int axis = 0, cells = 1;
     float from = 0.0f, perUnit = 0.0f;
@@ -65,7 +97,14 @@ class BoxCells {
   };
   /// Calls visit(cell) for each cell that the box reaches into.
   template <class Visit>
-  void forCells(const ItemBox& box, const Visit& visit) const;
+  void forCells(const ItemBox& box, const Visit& visit) const {
+    const auto& [x, y, z] = axes_;
+    const int x1 = x.cellOf(box.high[x.axis]), y1 = y.cellOf(box.high[y.axis]),
+              z1 = z.cellOf(box.high[z.axis]), z0 = z.cellOf(box.low[z.axis]);
+    for (int i = x.cellOf(box.low[x.axis]); i <= x1; ++i)
+      for (int j = y.cellOf(box.low[y.axis]); j <= y1; ++j)
+        for (int k = z0; k <= z1; ++k) visit((i * y.cells + j) * z.cells + k);
+  }
 
   std::array<Axis, 3> axes_;
 };
@@ -85,7 +124,8 @@ void byHalves(std::span<ItemBox> boxes, const Visit& visit, const Refine& refine
 template <class Visit, class Refine>
 void forOverlapping(std::span<ItemBox> boxes, const Visit& visit, const Refine& refine, int refined = 0) {
   if (boxes.size() < kManyBoxes) return byHalves(boxes, visit, refine, refined);
-  const BoxCells::Lists lists = BoxCells{boxes}.lists(boxes);
+  const auto boxAt = [&](std::size_t k) -> const ItemBox& { return boxes[k]; };
+  const BoxCells::Lists lists = BoxCells{boxes.size(), boxAt}.lists(boxes.size(), boxAt);
   if (lists.cells() == 0) return byHalves(boxes, visit, refine, refined);
   std::vector<ItemBox> inCell;
   for (int c = 0; c < lists.cells(); ++c) {

@@ -10,6 +10,7 @@
 #include <glm/matrix.hpp>
 #include <numeric>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "geometry/exact/box.h"
@@ -37,25 +38,22 @@ class DisjointSets {
 
 class Coplanarity {
  public:
-  Coplanarity(const Mesh& mesh, const ConvexParts& parts) : model_{mesh, parts} {
-    classOf_.assign(model_.sheets.size(), -1);
-    failures_.assign(model_.sheets.size(), 0);
-  }
+  Coplanarity(const Mesh& mesh, const ConvexParts& parts)
+      : model_{mesh, parts}, classOf_(model_.count(), kAlone) {}
 
   /// The roundings above `least`, in the mesh's units, that pairs of faces show (countRounding()).
   [[nodiscard]] std::vector<double> shown(const Mesh& mesh, double least) {
     constexpr double kSurely = 0.9;
     const double exact = 4.0 * model_.rounding.arithmetic();
     std::vector<double> shown;
-    std::vector<int> all(model_.sheets.size());
-    std::iota(all.begin(), all.end(), 0);
     GiveUpNowAndThen giveUp;
-    model_.forNear(all, [&](int i, int j) {
+    model_.forAllNear([&](const SheetPart& i, const SheetPart& j) {
       giveUp();
-      const std::array pair{model_.parts.plane[i], model_.parts.plane[j]};
-      const ModelSheet &P = model_.sheets[pair[0]], &Q = model_.sheets[pair[1]];
-      const double u = std::max(mesh.roundingOf(model_.parts.face[i]), mesh.roundingOf(model_.parts.face[j]));
-      if (&P == &Q || u <= least || std::ranges::find(shown, u) != shown.end()) return;
+      const std::array pair{sheetOf(i), sheetOf(j)};
+      const ModelSheet &P = i.sheet, &Q = j.sheet;
+      const double u =
+          std::max(mesh.roundingOf(model_.parts.face[i.part]), mesh.roundingOf(model_.parts.face[j.part]));
+      if (pair[0] == pair[1] || u <= least || std::ranges::find(shown, u) != shown.end()) return;
       if (glm::length(glm::cross(P.plane.N, Q.plane.N)) * model_.box.side <= exact || !inOnePlane(i, j))
         return;
       const PlaneFit best = fit(pair, FitGoal::Best);
@@ -66,9 +64,8 @@ class Coplanarity {
   }
 
   [[nodiscard]] CoplanarClasses classes() {
-    std::vector<int> open(model_.sheets.size());
+    std::vector<int> torn, open(model_.count());
     std::iota(open.begin(), open.end(), 0);
-    std::vector<int> torn;
     while (!open.empty()) open = afterRound(open, torn);
     if (!torn.empty()) mergePairs(torn);
     return numbered();
@@ -78,20 +75,27 @@ class Coplanarity {
   /// A sheet that so many others overlap, nearly in its plane but not explained with it, is compared with the
   /// planes of further ones as they are, without a fit.
   static constexpr int kMostFailures = 64;
+  /// From so many on, it may matter in which order the pairs come. Then they come in that of the sheets.
+  static constexpr int kFewFailures = 8;
 
   /// The corners of some sheets, in a buffer.
   [[nodiscard]] std::span<const RoundedPoint> pointsOf(std::span<const int> sheets) {
     points_.clear();
-    for (const int s : sheets)
-      for (const int c : model_.corners(model_.sheets[s]))
-        points_.push_back({model_.box.points[c], model_.sheets[s].u});
+    for (const int s : sheets) {
+      const double u = model_.roundingOf(s);
+      for (const int c : model_.corners(s)) points_.push_back({model_.box.points[c], u});
+    }
     return points_;
   }
-  [[nodiscard]] const ModelSheet& largestOf(std::span<const int> sheets) const {
-    return model_.sheets[*std::ranges::max_element(sheets, {}, [&](int s) { return model_.sheets[s].area; })];
+  [[nodiscard]] int sheetOf(const SheetPart& P) const { return model_.parts.plane[P.part]; }
+  [[nodiscard]] Plane planeOfLargest(std::span<const int> sheets) const {
+    ModelSheet largest = model_.sheet(sheets[0]);
+    for (const int s : sheets.subspan(1))
+      if (const ModelSheet sheet = model_.sheet(s); sheet.area > largest.area) largest = sheet;
+    return largest.plane;
   }
   [[nodiscard]] PlaneFit fit(std::span<const int> sheets, FitGoal goal) {
-    return fitPlane(pointsOf(sheets), largestOf(sheets).plane, model_.rounding, goal);
+    return fitPlane(pointsOf(sheets), planeOfLargest(sheets), model_.rounding, goal);
   }
 
   void makeClass(std::span<const int> sheets, const Plane& plane) {
@@ -99,27 +103,39 @@ class Coplanarity {
     planes_.push_back(plane);
     several_.push_back(sheets.size() > 1);
   }
+  /// A sheet of one part needs no class if its own plane explains it.
   void makeAlone(int s) {
+    const bool divided = model_.partCount(s) > 1;
+    if (!divided && model_.corners(s).size() == 3) return;
     const std::array one{s};
-    const ModelSheet& sheet = model_.sheets[s];
-    if (sheet.area == 0.0 || model_.corners(sheet).size() == 3) return makeClass(one, sheet.plane);
-    const bool explains = fitOf(sheet.plane, pointsOf(one), model_.rounding).explains();
-    makeClass(one, explains ? sheet.plane : fit(one, FitGoal::Best).plane);
+    const ModelSheet sheet = model_.sheet(s);
+    const bool explains = sheet.area == 0.0 || fitOf(sheet.plane, pointsOf(one), model_.rounding).explains();
+    if (divided || !explains) makeClass(one, explains ? sheet.plane : fit(one, FitGoal::Best).plane);
   }
 
   /// Calls visit(set) for each set of sheets that a chain of pairs joins.
   template <class Visit>
   void forSets(const std::vector<int>& open, const Visit& visit) {
-    DisjointSets sets{static_cast<int>(model_.sheets.size())};
+    DisjointSets sets{model_.count()};
     GiveUpNowAndThen giveUp;
-    model_.forNear(open, [&](int i, int j) {
+    const auto unite = [&](const SheetPart& i, const SheetPart& j) {
       giveUp();
-      const int P = model_.parts.plane[i], Q = model_.parts.plane[j];
+      const int P = sheetOf(i), Q = sheetOf(j);
       if (sets.of(P) != sets.of(Q) && inOnePlane(i, j)) sets.unite(P, Q);
-    });
+    };
+    bool byCells = std::ssize(open) == model_.count();
+    if (byCells)
+      model_.forAllNear([&](const SheetPart& i, const SheetPart& j) {
+        if (mostFailures_ < kFewFailures) unite(i, j);
+      });
+    if (mostFailures_ >= kFewFailures && byCells) {  // begin again
+      byCells = false;
+      failures_.clear();
+      sets = DisjointSets{model_.count()};
+    }
+    if (!byCells) model_.forNear(open, unite);
     std::vector<std::pair<int, int>> bySet;
-    bySet.reserve(open.size());
-    std::vector<char> several(model_.sheets.size(), false);
+    std::vector<char> several(model_.count(), false);
     for (const int s : open)
       if (const int root = sets.of(s); root != s) several[root] = true;
     std::vector<int> one(1);
@@ -185,16 +201,18 @@ class Coplanarity {
   /// The plane with the least sum of distances, by weighted least squares with weights 1 / distance. What is
   /// nearer than r counts as r away: there, only rounding tells the distances apart.
   [[nodiscard]] Plane principalPlane(std::span<const int> set) {
-    Plane plane = largestOf(set).plane;
+    Plane plane = planeOfLargest(set);
+    std::vector<ModelSheet> sheets;
+    for (const int s : set) sheets.push_back(model_.sheet(s));
     for (int step = 0; step < 12; ++step) {
       const glm::dvec3 n = glm::abs(plane.N);
       const int z = n.z >= n.x && n.z >= n.y ? 2 : n.y >= n.x ? 1 : 0, x = (z + 1) % 3, y = (z + 2) % 3;
-      const glm::dvec3 origin = model_.sheets[set[0]].centroid;
+      const glm::dvec3 origin = sheets[0].centroid;
       glm::dmat3 M{0.0};
       glm::dvec3 right{0.0};
-      for (const int s : set) {
-        const ModelSheet& sheet = model_.sheets[s];
-        const auto outline = model_.corners(sheet);
+      for (std::size_t k = 0; k < set.size(); ++k) {
+        const ModelSheet& sheet = sheets[k];
+        const auto outline = model_.corners(set[k]);
         for (const int c : outline) {
           const glm::dvec3 q = model_.box.points[c] - origin, column{q[x], q[y], 1.0};
           const double off = std::abs(glm::dot(plane.N, model_.box.points[c]) - plane.d);
@@ -218,12 +236,12 @@ class Coplanarity {
   /// Unites pairs of the sheets that are left, and then the sets that they form, only if one plane explains
   /// both together.
   void mergePairs(const std::vector<int>& open) {
-    DisjointSets sets{static_cast<int>(model_.sheets.size())};
-    std::vector<std::vector<int>> members(model_.sheets.size());
+    DisjointSets sets{model_.count()};
+    std::vector<std::vector<int>> members(model_.count());
     for (const int s : open) members[s] = {s};
     std::vector<int> both;
-    model_.forNear(open, [&](int i, int j) {
-      const int P = sets.of(model_.parts.plane[i]), Q = sets.of(model_.parts.plane[j]);
+    model_.forNear(open, [&](const SheetPart& i, const SheetPart& j) {
+      const int P = sets.of(sheetOf(i)), Q = sets.of(sheetOf(j));
       if (P == Q || !inOnePlane(i, j)) return;
       both = members[P];
       both.insert(both.end(), members[Q].begin(), members[Q].end());
@@ -249,52 +267,56 @@ class Coplanarity {
   /// Numbers the classes in the order of their first sheets.
   [[nodiscard]] CoplanarClasses numbered() const {
     CoplanarClasses result;
+    result.frame = model_.box.frame;
     result.plane.resize(model_.parts.count());
     std::vector<int> number(planes_.size(), -1);
-    for (std::size_t s = 0; s < model_.sheets.size(); ++s) {
-      int& mine = number[classOf_[s]];
-      if (mine < 0) {
-        mine = static_cast<int>(result.planes.size());
-        result.planes.push_back(inModel(planes_[classOf_[s]], model_.sheets[s]));
+    int planes = 0;
+    for (int s = 0; s < model_.count(); ++s) {
+      const int from = model_.firstPart(s), end = model_.firstPart(s + 1), mine = classOf_[s];
+      if (mine == kAlone) {
+        result.plane[from] = planes++;
+        continue;
       }
-      std::fill_n(result.plane.begin() + model_.sheets[s].firstPart, model_.sheets[s].partCount, mine);
-    }
-    result.own = result.plane;
-    for (std::size_t s = 0; s < model_.sheets.size(); ++s) {
-      const ModelSheet& sheet = model_.sheets[s];
-      if (!several_[classOf_[s]] || sheet.area == 0.0) continue;
-      std::fill_n(result.own.begin() + sheet.firstPart, sheet.partCount,
-                  static_cast<int>(result.planes.size()));
-      result.planes.push_back(inModel(sheet.plane, sheet));
+      const ModelSheet sheet = model_.sheet(s);
+      if (number[mine] < 0) {
+        number[mine] = planes++;
+        result.planes.add(number[mine], inMesh(planes_[mine], sheet));
+      }
+      for (int k = from; k < end; ++k) {
+        result.plane[k] = number[mine];
+        if (several_[mine] && sheet.area > 0.0) result.own.add(k, inMesh(sheet.plane, sheet));
+      }
     }
     return result;
   }
   /// The plane, through the point of it that is nearest to the sheet's centroid.
-  [[nodiscard]] ModelPlane inModel(const Plane& plane, const ModelSheet& sheet) const {
+  [[nodiscard]] ModelPlane inMesh(const Plane& plane, const ModelSheet& sheet) const {
     const glm::dvec3 foot = sheet.centroid - plane.N * (glm::dot(plane.N, sheet.centroid) - plane.d);
-    return {plane.N, model_.box.inWorld(foot)};
+    return {plane.N, model_.box.frame.inMesh(foot)};
   }
 
-  /// True if parts i and j overlap in area and one plane explains their sheets.
-  [[nodiscard]] bool inOnePlane(int i, int j) {
-    const int p = model_.parts.plane[i], q = model_.parts.plane[j];
-    const ModelSheet &P = model_.sheets[p], &Q = model_.sheets[q];
+  /// True if two parts overlap in area and one plane explains their sheets.
+  [[nodiscard]] bool inOnePlane(const SheetPart& i, const SheetPart& j) {
+    const int p = sheetOf(i), q = sheetOf(j);
+    const ModelSheet &P = i.sheet, &Q = j.sheet;
     if (model_.tooFar(i, j)) return false;
-    const ModelSheet& larger = P.area > Q.area || (P.area == Q.area && i < j) ? P : Q;
+    const ModelSheet& larger = P.area > Q.area || (P.area == Q.area && i.part < j.part) ? P : Q;
     if (model_.parted(i, j, larger.plane.N)) return false;
     const std::span<const RoundedPoint> both = pointsOf(std::array{p, q});
     if (failures_[p] >= kMostFailures || failures_[q] >= kMostFailures)
       return fitOf(larger.plane, both, model_.rounding).explains();
     const bool explained = fitPlane(both, larger.plane, model_.rounding, FitGoal::Explain).explains();
-    if (!explained) ++failures_[p], ++failures_[q];
+    if (!explained) mostFailures_ = std::max({mostFailures_, ++failures_[p], ++failures_[q]});
     return explained;
   }
   Sheets model_;
   std::vector<RoundedPoint> points_;  ///< buffer of pointsOf()
-  std::vector<int> classOf_;          ///< of each sheet, an index into planes_
-  std::vector<int> failures_;         ///< of each sheet: fits with others that explained nothing
-  std::vector<char> several_;         ///< of the classes: true if it has several sheets
-  std::vector<Plane> planes_;         ///< of the classes
+  static constexpr int kAlone = -1;
+  std::vector<int> classOf_;               ///< of each sheet, an index into planes_, or kAlone
+  std::unordered_map<int, int> failures_;  ///< of each sheet: fits with others that explained nothing
+  int mostFailures_ = 0;
+  std::vector<char> several_;  ///< of the classes: true if it has several sheets
+  std::vector<Plane> planes_;  ///< of the classes
 };
 
 }  // namespace
@@ -328,6 +350,20 @@ void uniteCoplanar(const Mesh& mesh, ConvexParts& parts) {
   parts.plane = std::move(classes.plane);
   parts.planes = std::move(classes.planes);
   parts.own = std::move(classes.own);
+  parts.frame = classes.frame;
+}
+
+ModelPlane planeOf(const Mesh& mesh, const ConvexParts& parts, int part) {
+  if (const ModelPlane* const found = parts.planes.find(parts.plane[part])) return *found;
+  std::vector<glm::dvec3> points;
+  std::vector<int> corners;
+  for (const int c : parts.part(part)) {
+    corners.push_back(static_cast<int>(points.size()));
+    points.push_back(parts.frame->inUnits(mesh.points[c]));
+  }
+  const glm::dvec3 v = newellVector(points, corners);
+  const double area = glm::length(v);
+  return {area > 0.0 ? v / area : glm::dvec3{0.0}, parts.frame->inMesh(centroid(points, corners))};
 }
 
 }  // namespace xnewell

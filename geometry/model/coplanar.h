@@ -7,12 +7,13 @@
 
 namespace xnewell {
 
-/// The planes of a model: for each part the number of its plane, 0 to n - 1 in order of the first part of
-/// each plane; the planes; and for each part the plane of its own corners (ConvexParts::own).
+/// The planes of a model, as ConvexParts has them: for each part the number of its plane, 0 to n - 1 in order
+/// of the first part of each plane; and of them and of the parts' own planes those that are not planes of the
+/// corners of one part alone.
 struct CoplanarClasses {
   std::vector<int> plane;
-  std::vector<ModelPlane> planes;
-  std::vector<int> own;
+  NumberedPlanes planes, own;
+  UnitFrame frame;
 };
 
 /// Finds the planes of a model. A decal on a wall, or a box's bottom on the floor, was coplanar when it was
@@ -51,7 +52,10 @@ struct CoplanarClasses {
 /// two faces lie in one plane, and nothing is shown.
 void countRounding(Mesh& mesh);
 
-/// Sets ConvexParts::plane, planes and own to the classes.
+/// Sets ConvexParts::plane, planes, own and frame to the classes.
 void uniteCoplanar(const Mesh& mesh, ConvexParts& parts);
+
+/// The plane of a part, after uniteCoplanar().
+[[nodiscard]] ModelPlane planeOf(const Mesh& mesh, const ConvexParts& parts, int part);
 
 }  // namespace xnewell

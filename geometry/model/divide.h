@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "geometry/exact/scale.h"
 #include "geometry/model/mesh.h"
 
 namespace xnewell {
@@ -10,6 +13,33 @@ namespace xnewell {
 /// A plane of the model, through the point `at`. N is a unit vector, or 0 for faces without area.
 struct ModelPlane {
   glm::dvec3 N{0.0}, at{0.0};
+};
+
+/// Coordinates in which the box of a mesh lies in [0, 1]^3, with its longest side in [1/2, 1): those of the
+/// mesh, scaled by 2^-first, moved, and scaled by 2^-second.
+struct UnitFrame {
+  glm::dvec3 low{0.0};  ///< the box's corner, scaled by 2^-first
+  int first = 0, second = 0;
+
+  [[nodiscard]] glm::dvec3 inUnits(const glm::dvec3& p) const {
+    return scaled(scaled(p, -first) - low, -second);
+  }
+  [[nodiscard]] glm::dvec3 inMesh(const glm::dvec3& p) const {
+    return scaled(scaled(p, second) + low, first);
+  }
+};
+
+/// Planes of the model by their numbers, which ascend.
+struct NumberedPlanes {
+  std::vector<int> numbers;
+  std::vector<ModelPlane> planes;
+
+  void add(int number, const ModelPlane& plane) { numbers.push_back(number), planes.push_back(plane); }
+  /// The plane with a number; null if it is not among them.
+  [[nodiscard]] const ModelPlane* find(int number) const {
+    const auto at = std::ranges::lower_bound(numbers, number);
+    return at != numbers.end() && *at == number ? &planes[at - numbers.begin()] : nullptr;
+  }
 };
 
 /// The faces of a mesh as convex planar polygons. Part k belongs to face[k], and faces keep their numbers.
@@ -23,12 +53,11 @@ struct ConvexParts {
   /// of the model. divideFaces() finds this for the parts of one planar face, coplanarClasses() for all
   /// parts.
   std::vector<int> plane;
-  /// The planes with these numbers, found by uniteCoplanar(), and behind them more planes for `own`; empty
-  /// before.
-  std::vector<ModelPlane> planes;
-  /// #parts, or empty before: the plane of the corners of the part, or of its planar face, alone. An index
-  /// into `planes`. It is another than `plane` where the part shares that one with other faces.
-  std::vector<int> own;
+  /// What uniteCoplanar() finds. A plane that is not among `planes` is that of the corners of its only part
+  /// (planeOf()). `own` has, by part, the planes of the own corners of those parts that share theirs with
+  /// other faces: of the part, or of its planar face. `frame` is that of the mesh; none before.
+  NumberedPlanes planes, own;
+  std::optional<UnitFrame> frame;
 
   [[nodiscard]] int count() const { return static_cast<int>(face.size()); }
   [[nodiscard]] std::span<const int> part(int k) const {

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <numeric>
 
 #include "geometry/exact/box.h"
 #include "geometry/exact/scale.h"
@@ -13,52 +14,63 @@ namespace xnewell {
 
 UnitBox::UnitBox(const std::vector<glm::dvec3>& meshPoints) {
   // Scale first, so that differences do not overflow.
-  Box box = boxOf(meshPoints);
-  std::frexp(box.magnitude(), &first);
-  box = {scaled(box.low, -first), scaled(box.high, -first)};
-  side = std::frexp(box.side(), &second);
-  magnitude = std::ldexp(box.magnitude(), -second);
-  exponent = first + second;
+  Box box = xnewell::boxOf(meshPoints);
+  std::frexp(box.magnitude(), &frame.first);
+  box = {scaled(box.low, -frame.first), scaled(box.high, -frame.first)};
+  side = std::frexp(box.side(), &frame.second);
+  magnitude = std::ldexp(box.magnitude(), -frame.second);
+  exponent = frame.first + frame.second;
   points.reserve(meshPoints.size());
-  low = box.low;
-  for (const glm::dvec3& p : meshPoints) points.push_back(scaled(scaled(p, -first) - low, -second));
+  frame.low = box.low;
+  for (const glm::dvec3& p : meshPoints) points.push_back(frame.inUnits(p));
 }
-
-glm::dvec3 UnitBox::inWorld(const glm::dvec3& p) const { return scaled(scaled(p, second) + low, first); }
 
 Sheets::Sheets(const Mesh& mesh, const ConvexParts& convexParts)
-    : parts{convexParts}, box{mesh.points}, rounding{box.side, box.magnitude} {
+    : parts{convexParts}, box{mesh.points}, rounding{box.side, box.magnitude}, mesh_{mesh} {
   double coarsest = 0.0;
-  for (const double u : mesh.rounding) coarsest = std::max(coarsest, std::ldexp(u, -box.exponent));
+  for (const double u : mesh.rounding)
+    coarsest = std::max(coarsest, roundings_.emplace_back(std::ldexp(u, -box.exponent)));
   mostRounding_ = rounding.most(coarsest);
-  sheets.reserve(parts.plane.empty() ? 0 : parts.plane.back() + 1);
-  for (int k = 0; k < parts.count(); ++k) {
-    if (k > 0 && parts.plane[k] == parts.plane[k - 1]) {
-      ++sheets.back().partCount;
-      continue;
-    }
-    ModelSheet& sheet = sheets.emplace_back();
-    sheet.firstPart = k;
-    sheet.partCount = 1;
-    sheet.u = std::ldexp(mesh.roundingOf(parts.face[k]), -box.exponent);
-  }
-  for (ModelSheet& sheet : sheets) {
-    const int k = sheet.firstPart;
-    const auto outline = sheet.partCount == 1 ? parts.part(k) : mesh.face(parts.face[k]);
-    const glm::dvec3 v = newellVector(box.points, outline);
-    sheet.area = glm::length(v);
-    sheet.centroid = centroid(box.points, outline);
-    if (sheet.area > 0.0) {
-      sheet.plane.N = v / sheet.area;
-      sheet.steepness = 2.0 * perimeter(outline) / sheet.area;
-    }
-    sheet.plane.d = glm::dot(sheet.plane.N, sheet.centroid);
-  }
+  firstPart_.reserve(parts.count() + 1);
+  for (int k = 0; k < parts.count(); ++k)
+    if (k == 0 || parts.plane[k] != parts.plane[k - 1]) firstPart_.push_back(k);
+  firstPart_.push_back(parts.count());
+  for (int s = 0; s < count(); ++s)
+    if (partCount(s) > 1) divided_.emplace(s, madeSheet(s));
 }
 
-std::span<const int> Sheets::corners(const ModelSheet& sheet) const {
+double Sheets::roundingOf(int s) const {
+  return roundings_.empty() ? 0.0 : roundings_[mesh_.group[parts.face[firstPart(s)]]];
+}
+
+ModelSheet Sheets::sheet(int s) const { return partCount(s) == 1 ? madeSheet(s) : divided_.at(s); }
+
+ModelSheet Sheets::madeSheet(int s) const {
+  ModelSheet sheet;
+  sheet.partCount = partCount(s);
+  sheet.u = roundingOf(s);
+  const int k = firstPart(s);
+  const auto outline = sheet.partCount == 1 ? parts.part(k) : mesh_.face(parts.face[k]);
+  const glm::dvec3 v = newellVector(box.points, outline);
+  sheet.area = glm::length(v);
+  sheet.centroid = centroid(box.points, outline);
+  if (sheet.area > 0.0) {
+    sheet.plane.N = v / sheet.area;
+    sheet.steepness = 2.0 * perimeter(outline) / sheet.area;
+  }
+  sheet.plane.d = glm::dot(sheet.plane.N, sheet.centroid);
+  return sheet;
+}
+
+std::span<const int> Sheets::corners(int s) const {
   const auto at = [&](int k) { return parts.corners.data() + parts.firstCorner[k]; };
-  return {at(sheet.firstPart), at(sheet.firstPart + sheet.partCount)};
+  return {at(firstPart(s)), at(firstPart(s + 1))};
+}
+
+Box Sheets::boxOf(int part) const {
+  Box around;
+  for (const int c : parts.part(part)) around.add(box.points[c]);
+  return around;
 }
 
 double Sheets::perimeter(std::span<const int> outline) const {
@@ -71,17 +83,15 @@ double Sheets::perimeter(std::span<const int> outline) const {
   return sum;
 }
 
-Sheets::Shape Sheets::shapeOf(int part) const {
-  const ModelSheet& sheet = of(part);
-  if (sheet.partCount == 1) return {sheet.area, sheet.steepness};
-  const double area = glm::length(newellVector(box.points, parts.part(part)));
-  return {area, 2.0 * perimeter(parts.part(part)) / area};
+Sheets::Shape Sheets::shapeOf(const SheetPart& P) const {
+  if (P.sheet.partCount == 1) return {P.sheet.area, P.sheet.steepness};
+  const double area = glm::length(newellVector(box.points, parts.part(P.part)));
+  return {area, 2.0 * perimeter(parts.part(P.part)) / area};
 }
 
-Sheets::Place Sheets::placeOf(int part, double steepness, const glm::dvec3& from, double r) const {
-  const ModelSheet& sheet = of(part);
-  Box around;
-  for (const int c : parts.part(part)) around.add(box.points[c]);
+Sheets::Place Sheets::placeOf(const SheetPart& P, double steepness, const glm::dvec3& from, double r) const {
+  const ModelSheet& sheet = P.sheet;
+  const Box around = boxOf(P.part);
   const glm::dvec3 foot = sheet.plane.N * (sheet.plane.d - glm::dot(sheet.plane.N, from));
   const double distance = glm::length(glm::max(glm::abs(around.low - from), glm::abs(around.high - from)));
   const double play = (sheet.partCount == 1 ? 1.0 : 2.0) * r * (steepness * distance + 1.0);
@@ -141,50 +151,75 @@ bool Sheets::isWide(int part, double least) const {
   return true;
 }
 
-Sheets::Places Sheets::places(const std::vector<int>& open) const {
+BoxCells::Lists Sheets::cells() const {
+  constexpr double kPartsWide = 16.0;
+  const double beyond = mostRounding_ + kToFloat;
+  const auto boxAt = [&](std::size_t k) {
+    const Box around = boxOf(static_cast<int>(k));
+    ItemBox item;
+    for (int axis = 0; axis < 3; ++axis) {
+      item.low[axis + 3] = static_cast<float>(around.low[axis] - beyond);
+      item.high[axis + 3] = static_cast<float>(around.high[axis] + beyond);
+    }
+    return item;
+  };
+  const std::size_t count = parts.count();
+  BoxCells::Lists lists;
+  if (count >= kManyBoxes) lists = BoxCells{count, boxAt, kPartsWide}.lists(count, boxAt);
+  if (lists.cells() > 0) return lists;
+  lists.begin = {0, parts.count()};  // one cell
+  lists.boxes.resize(count);
+  std::iota(lists.boxes.begin(), lists.boxes.end(), 0);
+  return lists;
+}
+
+void Sheets::findPlaces(std::span<const int> some, Places& result) const {
   const glm::dvec3 from{0.43, 0.56, 0.47};
   constexpr int kDust = -1, kWide = -2;
-  Places result;
-  result.among.reserve(open.size() == sheets.size() ? parts.count() : 2 * open.size());
-  for (const int s : open) {
-    const ModelSheet& sheet = sheets[s];
-    if (sheet.area == 0.0) continue;
-    for (int k = sheet.firstPart; k < sheet.firstPart + sheet.partCount; ++k) {
-      const Shape shape = shapeOf(k);
-      if (shape.area == 0.0) continue;
-      const Place place = placeOf(k, shape.steepness, from, mostRounding_);
-      const double length = std::hypot(place.high[3] - place.low[3], place.high[4] - place.low[4],
-                                       place.high[5] - place.low[5]);
-      const bool dust = length < 0.9 * delta(sheet.u);
-      ItemBox& item =
-          (dust ? result.dust : result.among).emplace_back(ItemBox{k, dust ? kDust : parts.plane[k], {}, {}});
-      for (int axis = 0; axis < 6; ++axis) {
-        item.low[axis] = static_cast<float>(place.low[axis] - (place.play[axis] + kToFloat));
-        item.high[axis] = static_cast<float>(place.high[axis] + (place.play[axis] + kToFloat));
-      }
+  result.sheets.clear(), result.items.clear(), result.among.clear(), result.dust.clear();
+  int last = -1;
+  for (const int k : some) {
+    if (parts.plane[k] != last) result.sheets.push_back(sheet(last = parts.plane[k]));
+    if (result.sheets.back().area == 0.0) continue;
+    const SheetPart P{k, result.sheets.back()};
+    const Shape shape = shapeOf(P);
+    if (shape.area == 0.0) continue;
+    const Place place = placeOf(P, shape.steepness, from, mostRounding_);
+    const double length = glm::length(
+        glm::dvec3{place.high[3] - place.low[3], place.high[4] - place.low[4], place.high[5] - place.low[5]});
+    const bool dust = length < 0.9 * delta(P.sheet.u);
+    ItemBox& item = (dust ? result.dust : result.among)
+                        .emplace_back(ItemBox{
+                            static_cast<int>(result.items.size()), dust ? kDust : parts.plane[k], {}, {}});
+    result.items.push_back({k, static_cast<int>(result.sheets.size()) - 1});
+    for (int axis = 0; axis < 6; ++axis) {
+      item.low[axis] = static_cast<float>(place.low[axis] - (place.play[axis] + kToFloat));
+      item.high[axis] = static_cast<float>(place.high[axis] + (place.play[axis] + kToFloat));
     }
   }
-  if (result.dust.empty()) return result;
+  if (result.dust.empty()) return;
   for (const ItemBox& item : result.among) {
-    if (!isWide(item.item, 1.1 * delta(of(item.item).u))) continue;
+    const SheetPart P = result[item.item];
+    if (!isWide(P.part, 1.1 * delta(P.sheet.u))) continue;
     result.dust.push_back(item);
     result.dust.back().group = kWide;
   }
-  return result;
 }
 
-bool Sheets::refine(std::span<ItemBox> boxes) const {
+bool Sheets::refine(const Places& near, std::span<ItemBox> boxes) const {
   constexpr std::size_t kMany = 1'024;
   if (boxes.size() < kMany) return false;
   glm::dvec3 from{0.0};
   for (int axis = 0; axis < 3; ++axis) {
-    const auto at = [&](const ItemBox& b) { return of(b.item).centroid[axis]; };
+    const auto at = [&](const ItemBox& b) { return near[b.item].sheet.centroid[axis]; };
     from[axis] = spreadOf(std::span<const ItemBox>{boxes}, at, at).middle;
   }
   std::vector<Place> places;
   places.reserve(boxes.size());
-  for (const ItemBox& b : boxes)
-    places.push_back(placeOf(b.item, shapeOf(b.item).steepness, from, 2.0 * rounding.most(of(b.item).u)));
+  for (const ItemBox& b : boxes) {
+    const SheetPart P = near[b.item];
+    places.push_back(placeOf(P, shapeOf(P).steepness, from, 2.0 * rounding.most(P.sheet.u)));
+  }
 
   std::array<Spread, 6> spread;
   bool separates = false;
@@ -214,26 +249,25 @@ bool Sheets::refine(std::span<ItemBox> boxes) const {
   return true;
 }
 
-bool Sheets::oneTooFar(int i, int j) const {
-  const ModelSheet& P = of(i);
-  const double u = std::max(P.u, of(j).u);
-  const double rho = rounding.most(u);
-  return std::ranges::any_of(parts.part(j), [&](int c) {
-    const glm::dvec3 apart = box.points[c] - P.centroid;
-    return std::abs(glm::dot(P.plane.N, apart)) > Rounding::mostOff(rho, P.steepness, glm::length(apart));
+bool Sheets::oneTooFar(const SheetPart& P, const SheetPart& Q) const {
+  const double rho = rounding.most(std::max(P.sheet.u, Q.sheet.u));
+  return std::ranges::any_of(parts.part(Q.part), [&](int c) {
+    const glm::dvec3 apart = box.points[c] - P.sheet.centroid;
+    return std::abs(glm::dot(P.sheet.plane.N, apart)) >
+           Rounding::mostOff(rho, P.sheet.steepness, glm::length(apart));
   });
 }
 
-bool Sheets::parted(int i, int j, const glm::dvec3& N) const {
+bool Sheets::parted(const SheetPart& P, const SheetPart& Q, const glm::dvec3& N) const {
   const glm::dvec3 n = glm::abs(N);
   const int dropped = n.z >= n.x && n.z >= n.y ? 2 : n.y >= n.x ? 1 : 0;
-  return partedByEdgesOf(i, j, dropped) || partedByEdgesOf(j, i, dropped);
+  return partedByEdgesOf(P, Q, dropped) || partedByEdgesOf(Q, P, dropped);
 }
 
-/// Asks the edges of part i, seen along the axis `dropped`.
-bool Sheets::partedByEdgesOf(int i, int j, int dropped) const {
-  const double u = std::max(of(i).u, of(j).u);
-  const auto P = parts.part(i), Q = parts.part(j);
+/// Asks the edges of the first part, seen along the axis `dropped`.
+bool Sheets::partedByEdgesOf(const SheetPart& first, const SheetPart& second, int dropped) const {
+  const double u = std::max(first.sheet.u, second.sheet.u);
+  const auto P = parts.part(first.part), Q = parts.part(second.part);
   const double delta = this->delta(u);
   const auto seen = [&](int c) {
     return glm::dvec2{box.points[c][(dropped + 1) % 3], box.points[c][(dropped + 2) % 3]};

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/exact/plane.h"
+#include "geometry/model/coplanar.h"
 #include "geometry/view/clip.h"
 #include "geometry/view/depth_doubt.h"
 #include "geometry/view/plane_record.h"
@@ -226,16 +227,18 @@ SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& vi
   const double zFront = frontDepth(view, width);
   const std::array<ClipPlane, 6> planes = clipPlanes(zFront, kMaxPicture);
 
-  // Transform every vertex once. Divide those inside the volume by w.
-  std::vector<glm::dvec4> homogeneous(mesh.points.size());
+  // Transform every vertex. Divide those inside the volume by w; those outside are asked for once more.
+  const auto homogeneous = [&](const glm::dvec3& point) {
+    return screenFromVrc * glm::dvec4{rotation * (point - view.vrp), 1.0};
+  };
   std::vector<glm::dvec3> screen(mesh.points.size());
   std::vector<std::uint8_t> outside(mesh.points.size());
   double zMax = 0.0;
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    homogeneous[i] = screenFromVrc * glm::dvec4{rotation * (mesh.points[i] - view.vrp), 1.0};
-    outside[i] = static_cast<std::uint8_t>(outcode(planes, homogeneous[i]));
+    const glm::dvec4 p = homogeneous(mesh.points[i]);
+    outside[i] = static_cast<std::uint8_t>(outcode(planes, p));
     if (outside[i]) continue;
-    screen[i] = divided(homogeneous[i]);
+    screen[i] = divided(p);
     zMax = std::max(zMax, screen[i].z);
   }
 
@@ -265,7 +268,7 @@ SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& vi
     if (all) continue;
     polygon.clear();
     for (int c = parts.firstCorner[i]; c < parts.firstCorner[i + 1]; ++c)
-      polygon.push_back({homogeneous[parts.corners[c]], parts.from[c]});
+      polygon.push_back({homogeneous(mesh.points[parts.corners[c]]), parts.from[c]});
     clip(polygon, planes, any, scene.between);
     for (const ClipVertex& v : polygon) {
       clippedVertices.push_back({inVolume(divided(v.p), zFront), v.source});
@@ -334,16 +337,15 @@ void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, 
       continue;
     }
     const ModelPlane plane =
-        parts.planes.empty() ? newellPlaneOf(mesh, parts, face.part) : parts.planes[face.plane];
+        parts.frame ? planeOf(mesh, parts, face.part) : newellPlaneOf(mesh, parts, face.part);
     const std::optional<ScreenPlane> ofModel = records.of(plane, placeInPicture(scene, face, width, height));
     scene.planes.push_back(ofModel ? *ofModel : planeThroughAll(scene, f, next));
     for (int g = f; g >= 0; g = next[g]) {
       SnappedFace& member = scene.faces[g];
       member.doubt = doubt.of(scene.planes.back(), mesh.roundingOf(member.number));
-      if (ofModel && !parts.own.empty() && parts.own[member.part] != member.plane) {
+      if (const ModelPlane* const own = parts.own.find(member.part); ofModel && own) {
         scene.ahead.resize(parts.count());
-        scene.ahead[member.part] = records.ahead(parts.planes[parts.own[member.part]], plane,
-                                                 placeInPicture(scene, member, width, height));
+        scene.ahead[member.part] = records.ahead(*own, plane, placeInPicture(scene, member, width, height));
       }
       member.plane = record;
     }

@@ -15,9 +15,9 @@ namespace xnewell {
 ///         |A|, |B|, C <= 2^60 and, at some place in the picture, |z| <= 2^31: so it keeps to them.
 struct ScreenPlane {
   std::int64_t A = 0, B = 0, C = 1;
-  Int128 D = 0;
   /// True if it comes from a plane of the model (plane_record.h), not from vertices on the grid.
-  bool ofModel = false;
+  bool ofModel = false;  // before D: that saves 16 bytes of padding
+  Int128 D = 0;
   bool operator==(const ScreenPlane&) const = default;
 };
 

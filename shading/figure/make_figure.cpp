@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "depthsort/every_face.h"
+#include "depthsort/depth_sort.h"
 #include "depthsort/order.h"
 #include "shading/figure/edge_strokes.h"
 #include "shading/figure/hiding_polygons.h"
@@ -84,8 +84,16 @@ SortedScene figureOrder(const Picture& picture, Order order) {
     for (const int face : paintingOrder(picture.snapped(), order)) sorted.fragments.push_back({face});
     return sorted;
   }
+  // A figure needs some of what is hidden, beside what shows. But where many polygons cross, nearly all
+  // pieces are hidden: a spiral of n corners has about n^3.
+  constexpr std::int64_t kKeepHidden = 4096;
   try {
-    return sortEveryFace(picture.snapped(), s.width, s.height, s.mostPieces);
+    return depthSort(picture.snapped(), {.width = s.width,
+                                         .height = s.height,
+                                         .samples = false,
+                                         .areas = false,
+                                         .keepHidden = kKeepHidden,
+                                         .mostPieces = s.mostPieces});
   } catch (const TooManyPieces&) {  // its advice, the oracle, makes no figure
     throw TooManyPieces{"the figure needs more than " + std::to_string(s.mostPieces) +
                         " pieces, for the polygons cross too often; --max-fragments allows more, and --order "

@@ -15,8 +15,8 @@ enum class FigureColors {
   Ids      ///< each face in the colour of its number + 1, red the highest byte
 };
 
-/// The order of painting of a picture, for a figure: that of sortEveryFace() for Order::Newell, or
-/// a list by one key. @throws TooManyPieces
+/// The order of painting of a picture, for a figure, which has no samples: that of depthSort() for
+/// Order::Newell, or a list by one key. @throws TooManyPieces
 [[nodiscard]] SortedScene figureOrder(const Picture& picture, Order order);
 
 /// How polygons are split whose shade is not the same everywhere (shades.h).

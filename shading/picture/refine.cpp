@@ -13,6 +13,7 @@
 
 #include "geometry/exact/give_up.h"
 #include "geometry/exact/unit.h"
+#include "geometry/model/coplanar.h"
 
 namespace xnewell {
 
@@ -341,17 +342,24 @@ int Refiner::middleCorner(const Triangle& t, int edge) {
 /// Makes the parts from the triangles, and the points at which they are shaded.
 void Refiner::collect() {
   ConvexParts& parts = result_.parts;
-  parts.planes = old_.planes;
+  parts.frame = old_.frame;
+  int planes = 0;
   ShadingPoints& points = result_.points;
   auto next = triangles_.begin();
   for (int k = 0; k < old_.count(); ++k) {
     const int face = old_.face[k];
+    // The plane of a part that is divided is no longer that of the corners of one part.
+    if (old_.frame && old_.plane[k] == planes) {
+      const ModelPlane* const found = old_.planes.find(planes);
+      if (found || divided_[k]) parts.planes.add(planes, found ? *found : planeOf(result_.mesh, old_, k));
+      ++planes;
+    }
     const auto end = std::find_if(next, triangles_.end(), [&](const Triangle& t) { return t.part != k; });
     const auto finish = [&](const glm::dvec3& centre) {
       parts.firstCorner.push_back(static_cast<int>(parts.corners.size()));
       parts.face.push_back(face);
       parts.plane.push_back(old_.plane[k]);
-      if (!old_.own.empty()) parts.own.push_back(old_.own[k]);
+      if (const ModelPlane* const own = old_.own.find(k)) parts.own.add(parts.count() - 1, *own);
       if (!flat()) return;
       points.at.push_back(centre);
       points.N.push_back(faces_->N[face]);

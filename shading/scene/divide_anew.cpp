@@ -170,10 +170,13 @@ class Divider {
 
   Scene finish(std::vector<PatchRun> patches, std::vector<RoundRun> rounds) {
     Scene scene = makeScene(scene_.name, std::move(mesh_), scene_.up);
-    const double factor = std::ldexp(1.0, scene.exponent - scene_.exponent);  // exact
+    const int exponent = scene.exponent - scene_.exponent;
+    const double factor = std::ldexp(1.0, exponent);  // exact
     for (glm::dvec3& p : scene.mesh.points) p *= factor;
     for (double& u : scene.mesh.rounding) u *= factor;
-    for (ModelPlane& plane : scene.parts.planes) plane.at *= factor;
+    for (NumberedPlanes* const planes : {&scene.parts.planes, &scene.parts.own})
+      for (ModelPlane& plane : planes->planes) plane.at *= factor;
+    scene.parts.frame->first += exponent;
     scene.exponent = scene_.exponent;
     for (const PatchRun& run : patches)
       if (!run.own) scene.divisions = run.divisions;

@@ -121,7 +121,7 @@ TEST(Decals, TheLaterIsSeen) {
     }
     EXPECT_EQ(lost, 0);
     EXPECT_LE(scene.planes.size(), 1u);
-    parts.plane = ownPlanes, parts.planes.clear(), parts.own.clear();
+    parts.plane = ownPlanes, parts.planes = {}, parts.own = {}, parts.frame.reset();
     const std::vector<int> without =
         visibleFaces(project(mesh, parts, view, kSize, kSize, Cull::Keep), kSize, kSize);
     for (std::size_t k = 0; k < seen.size(); ++k) lostWithout += without[k] != last[k];

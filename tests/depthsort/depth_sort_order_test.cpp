@@ -6,6 +6,7 @@
 
 #include "depthsort/samples.h"
 #include "tests/support/exact_region.h"
+#include "tests/support/painted.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
 
@@ -96,6 +97,30 @@ TEST(DepthSortOrder, NothingIsPaintedOverWhatIsNearer) {
   EXPECT_GT(counts.inOnePlane, 300);
   EXPECT_GT(counts.pieces, 800);
   EXPECT_GT(counts.slivers, 0);
+}
+
+// Without the polygons that one face hides, the picture is the same, and the rest is in order.
+TEST(DepthSortOrder, WhatIsHiddenMayBeLeftOut) {
+  const Seeds seeds{192};
+  Counts counts;
+  std::int64_t hidden = 0;
+  std::size_t all = 0, left = 0;
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SCOPED_TRACE(testing::Message() << "XNEWELL_SEED=" << seed);
+    const SnappedScene scene = randomScene(seed, 12, kSize);
+    SortSettings settings{.width = kSize, .height = kSize, .samples = false, .areas = false};
+    const SortedScene whole = depthSort(scene, settings);
+    settings.keepHidden = -1;
+    const SortedScene shown = depthSort(scene, settings);
+    EXPECT_EQ(painted(scene, shown, kSize, kSize), painted(scene, whole, kSize, kSize));
+    expectOrder(scene, shown, counts);
+    if (HasFatalFailure()) return;
+    hidden += shown.statistics.hidden;
+    all += whole.fragments.size(), left += shown.fragments.size();
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(hidden, 300);
+  EXPECT_LT(left + 300, all);
 }
 
 // With doubts of one step to many, contacts leave polygons whole. This is most frequent for nearly coplanar

@@ -131,7 +131,7 @@ TEST(Oracle, NearerDecidesBeyondDoubles) {
   while (F.size() < 87) F.push_back(F[F.size() - 1] + F[F.size() - 2]);
   EXPECT_GT(F.back(), std::int64_t{1} << 58);
   for (int n = 40; n + 1 < 87; ++n) {
-    const ScreenPlane P{F[n - 1], 0, F[n], 0}, Q{F[n], 0, F[n + 1], 0};
+    const ScreenPlane P{F[n - 1], 0, F[n]}, Q{F[n], 0, F[n + 1]};
     EXPECT_EQ(nearer(P, Q, 0, 0), n % 2 ? 1 : -1) << n;
     EXPECT_EQ(nearer(P, Q, 8191, 0), n % 2 ? 1 : -1) << n;
   }

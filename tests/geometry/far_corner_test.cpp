@@ -51,24 +51,22 @@ Mesh sheetBesideFarCorner(int n, double share, unsigned seed) {
 using Pairs = std::set<std::pair<int, int>>;
 
 Pairs nearPairs(const Sheets& sheets, std::size_t& visits) {
-  std::vector<int> all(sheets.sheets.size());
-  std::iota(all.begin(), all.end(), 0);
   Pairs visited;
-  sheets.forNear(all, [&](int i, int j) {
+  sheets.forAllNear([&](const SheetPart& P, const SheetPart& Q) {
     ++visits;
-    visited.insert(std::minmax(i, j));
+    visited.insert(std::minmax(P.part, Q.part));
   });
   return visited;
 }
 
 /// True if two parts overlap in area and one plane explains both, without a search for near ones.
 bool inOnePlane(const Sheets& model, int i, int j) {
-  const ModelSheet &P = model.sheets[i], &Q = model.sheets[j];
+  const ModelSheet P = model.sheet(i), Q = model.sheet(j);
   const ModelSheet& larger = P.area > Q.area ? P : Q;
-  if (model.parted(i, j, larger.plane.N)) return false;
+  if (model.parted({i, P}, {j, Q}, larger.plane.N)) return false;
   std::vector<RoundedPoint> both;
-  for (const ModelSheet* sheet : {&P, &Q})
-    for (const int c : model.corners(*sheet)) both.push_back({model.box.points[c], sheet->u});
+  for (const int sheet : {i, j})
+    for (const int c : model.corners(sheet)) both.push_back({model.box.points[c], model.roundingOf(sheet)});
   return fitPlane(both, larger.plane, model.rounding, FitGoal::Explain).explains();
 }
 
@@ -103,6 +101,34 @@ TEST(FarCorner, NoPairIsMissed) {
   EXPECT_GT(apart, 10'000'000u);
 }
 
+// Whether a model is searched cell by cell or as a whole, the same pairs lie in one plane.
+TEST(FarCorner, CellsMissNoPair) {
+  std::size_t joined = 0;
+  for (const double share : {1.0, 0.3, 1e-2, 1e-7, 1e-14}) {
+    SCOPED_TRACE(share);
+    Mesh mesh = sheetBesideFarCorner(75, share, 7);
+    mesh.rounding = {1e-5};
+    const ConvexParts parts = divideFaces(mesh);
+    ASSERT_GT(static_cast<std::size_t>(parts.count()), kManyBoxes);
+    const Sheets sheets{mesh, parts};
+    Pairs byCells, asAWhole;
+    const auto addTo = [&](Pairs& pairs) {
+      return [&](const SheetPart& P, const SheetPart& Q) {
+        if (!sheets.tooFar(P, Q)) pairs.insert(std::minmax(P.part, Q.part));
+      };
+    };
+    sheets.forAllNear(addTo(byCells));
+    std::vector<int> all(parts.count());
+    std::iota(all.begin(), all.end(), 0);
+    sheets.forNear(all, addTo(asAWhole));
+    std::erase_if(byCells, [&](const auto& pair) { return !inOnePlane(sheets, pair.first, pair.second); });
+    std::erase_if(asAWhole, [&](const auto& pair) { return !inOnePlane(sheets, pair.first, pair.second); });
+    EXPECT_EQ(byCells, asAWhole);
+    joined += byCells.size();
+  }
+  EXPECT_GT(joined, 5'000u);
+}
+
 // Specks that are smaller than the rounding still lie in the plane of the floor under them. A needle has no
 // room for them, however long it is.
 TEST(FarCorner, SpecksLieOnTheFloor) {
@@ -119,7 +145,7 @@ TEST(FarCorner, SpecksLieOnTheFloor) {
     const Pairs visited = nearPairs(sheets, visits);
     for (int i = 0; i < parts.count(); ++i)
       for (int j = i + 1; j < parts.count(); ++j) {
-        const bool covers = sheets.sheets[i].area > 0.0 && sheets.sheets[j].area > 0.0;
+        const bool covers = sheets.sheet(i).area > 0.0 && sheets.sheet(j).area > 0.0;
         if (!covers || !inOnePlane(sheets, i, j)) continue;
         ++joined;
         ASSERT_TRUE(visited.contains({i, j})) << i << ' ' << j;
@@ -135,12 +161,10 @@ TEST(FarCorner, SpecksAreNotComparedWithNeedles) {
   for (int i = 0; i < 2'000; ++i)
     add(mesh, {{0.5, 0.001 * i, 0.0}, {0.5, 0.001 * i + 0.1, 0.0}, {0.5, 0.001 * i, 1e20 + 1e16 * i}});
   const ConvexParts parts = divideFaces(mesh);
-  std::vector<int> all(parts.count());
-  std::iota(all.begin(), all.end(), 0);
   std::size_t withSpecks = 0;
   const int firstNeedle = parts.count() - 2'000;
-  Sheets{mesh, parts}.forNear(all, [&](int i, int j) {
-    withSpecks += std::min(i, j) < firstNeedle - 2 && std::max(i, j) >= firstNeedle;
+  Sheets{mesh, parts}.forAllNear([&](const SheetPart& P, const SheetPart& Q) {
+    withSpecks += std::min(P.part, Q.part) < firstNeedle - 2 && std::max(P.part, Q.part) >= firstNeedle;
   });
   EXPECT_EQ(withSpecks, 0u);
 }
@@ -153,10 +177,8 @@ TEST(FarCorner, FewPairsAreCompared) {
     SCOPED_TRACE(share);
     const Mesh mesh = sheetBesideFarCorner(150, share, 5);
     const ConvexParts parts = divideFaces(mesh);
-    std::vector<int> all(parts.count());
-    std::iota(all.begin(), all.end(), 0);
     std::size_t visits = 0;
-    Sheets{mesh, parts}.forNear(all, [&](int, int) { ++visits; });
+    Sheets{mesh, parts}.forAllNear([&](const SheetPart&, const SheetPart&) { ++visits; });
     EXPECT_LT(visits, 300u * static_cast<std::size_t>(parts.count()));
   }
 }

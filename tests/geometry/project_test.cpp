@@ -238,7 +238,7 @@ TEST(Project, OnePlaneHasOneRecord) {
         ASSERT_EQ(s.planes.size(), 2u);
         EXPECT_EQ(s.faces[0].plane, s.faces[1].plane);
         EXPECT_NE(s.faces[0].plane, s.faces[2].plane);
-        const auto [N, at] = parts.planes[0];
+        const auto [N, at] = planeOf(m, parts, 0);
         for (const glm::ivec3& v : {s.vertices[s.faces[0].first], s.vertices[s.faces[1].first + 1]}) {
           const long double u = v.x / (256.0L * kGrid) - 1, w = 1 - v.y / (256.0L * kGrid);
           const long double c = static_cast<long double>(N.x) * at.x + static_cast<long double>(N.y) * at.y +

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "depthsort/every_face.h"
+#include "depthsort/depth_sort.h"
 #include "depthsort/oracle.h"
 #include "depthsort/order.h"
 #include "depthsort/pair_tests.h"

@@ -193,7 +193,7 @@ TEST(Picture, CoplanarFacesAreNotCalledWrong) {
   Scene scene = readScene("decals");
   EXPECT_EQ(std::ranges::max(scene.parts.plane), 0);
   std::iota(scene.parts.plane.begin(), scene.parts.plane.end(), 0);
-  scene.parts.planes.clear(), scene.parts.own.clear();
+  scene.parts.planes = {}, scene.parts.own = {}, scene.parts.frame.reset();
   PictureCache decals{std::move(scene)};
   PictureSettings s = small();
   s.order = Order::Unsorted;
