@@ -15,6 +15,7 @@
 #include "geometry/files/number.h"
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
+#include "geometry/files/visible.h"
 
 namespace xnewell {
 
@@ -225,15 +226,21 @@ class ObjReader {
   /// the line is tried as one name before its words are tried.
   void readLibraries() {
     const std::string names = words_.rest();
-    if (readLibrary(names)) return;
+    if (readLibrary(folder_ / names)) return;
     Words each{names, {}};
     each.nextLine();
-    bool all = true;
-    for (std::string_view name = each.next(); !name.empty(); name = each.next())
-      all = readLibrary(std::string{name}) && all;
-    if (!all && !std::exchange(missing_, true))
-      note(words_.line(),
-           "material library " + inQuotes(names) + " not found; materials defined only there are white");
+    bool any = false;
+    std::string lost;  // the first that is missing
+    for (std::string name{each.next()}; !name.empty(); name = each.next()) {
+      if (readLibrary(namedFile(folder_, name)))
+        any = true;
+      else if (lost.empty())
+        lost = name;
+    }
+    const std::filesystem::path file = namedFile(folder_, any ? lost : names);
+    if (!lost.empty() && !readLibrary(file) && !std::exchange(missing_, true))
+      note(words_.line(), "material library '" + visible(file.string()) +
+                              "' not found; materials defined only there are white");
   }
 
   struct Known {
@@ -241,11 +248,9 @@ class ObjReader {
     std::filesystem::path library;
   };
 
-  /// The index of the material's texture. Some writers separate folders by backslashes.
+  /// The index of the material's texture.
   int textureOf(const Known& known) {
-    std::string map = known.material.map;
-    std::ranges::replace(map, '\\', '/');
-    const std::string file = (known.library.parent_path() / map).string();
+    const std::string file = namedFile(known.library.parent_path(), known.material.map).string();
     std::vector<TextureFile>& all = mesh_.textureFiles;
     const auto same = std::ranges::find(all, file, &TextureFile::file);
     const auto index = static_cast<int>(same - all.begin());
@@ -278,11 +283,10 @@ class ObjReader {
   }
 
   /// Returns false if there is no such file.
-  bool readLibrary(const std::string& name) {
-    const std::filesystem::path file = folder_ / name;
+  bool readLibrary(const std::filesystem::path& file) {
     std::error_code missing;
     if (!std::filesystem::is_regular_file(file, missing)) return false;
-    if (!libraries_.insert(name).second) return true;
+    if (!libraries_.insert(file).second) return true;
     MtlLibrary library = parseMtl(readTextFile(file), file.string());
     for (auto& [material, says] : library.materials)
       known_.try_emplace(material, Known{std::move(says), file});
@@ -299,8 +303,9 @@ class ObjReader {
   NamesInUse group_{kDefaultGroup};
   NamesInUse material_{""};  ///< the empty name stands for no material
   std::map<std::string, Known> known_;
-  bool missing_ = false;             ///< whether a note tells of a missing library
-  std::set<std::string> libraries_;  ///< already read: some writers name the library before every object
+  bool missing_ = false;  ///< whether a note tells of a missing library
+  std::set<std::filesystem::path>
+      libraries_;  ///< already read: some writers name the library before every object
   Indexed points_{"vertices", {}}, texture_{"texture coordinates", {}};
   std::vector<int> face_, faceUv_;  ///< of the current face; members to reuse their memory
   LeftOut leftOut_;

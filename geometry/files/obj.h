@@ -24,18 +24,18 @@ namespace xnewell {
 ///                   by blanks. A group that begins twice is one group. Faces before any group belong to
 ///                   `default`.
 /// Mesh::materials   the materials that a face uses, in file order; white if no library has the name.
-/// Mesh::textureFiles  the files of their textures, not read and perhaps missing. They lie in the folder of
-///                   the library.
+/// Mesh::textureFiles  the files of their textures (namedFile() in the folder of the library), not read and
+///                   perhaps missing.
 /// Mesh::rounding    for every group 0.5 * 10^-d. RoundingOfNumbers in number.h computes it from all x, y
 ///                   and z of the file. A writer that prints significant digits (%g) shows the decimals of
 ///                   its smallest coordinates. 0 for d >= 309.
 ///
 /// Throws ParseError, `teapot.obj:41: face index 0; OBJ counts from 1`, also if the file has no face.
-/// Messages call the text `name`. Libraries are searched for in `folder`. A missing library is not an error,
-/// but Mesh::notes reports the first one, and the first material that no library has. It also reports
-/// coordinates that are written with more decimals than they hold (RoundingOfNumbers::doubtful()). A library
-/// that cannot be read is an error (std::system_error), and so is a malformed colour in it. Mesh::notes also
-/// has those of the libraries.
+/// Messages call the text `name`. Libraries are searched for in `folder` (namedFile()). A missing library is
+/// not an error, but Mesh::notes reports the first one, and the first material that no library has. It also
+/// reports coordinates that are written with more decimals than they hold (RoundingOfNumbers::doubtful()). A
+/// library that cannot be read is an error (std::system_error), and so is a malformed colour in it.
+/// Mesh::notes also has those of the libraries.
 [[nodiscard]] Mesh parseObj(std::string_view text, const std::string& name,
                             const std::filesystem::path& folder);
 

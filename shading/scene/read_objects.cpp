@@ -273,7 +273,7 @@ class Collector {
   /// Tells of which patches or of which round solid it is, if any.
   Mesh meshOf(const Node& node, const Transform& transform, PatchRun& run, RoundRun& round) const {
     std::filesystem::path file;
-    if (node.has("file")) file = folder_ / node.at("file").text();
+    if (node.has("file")) file = namedFile(folder_, node.at("file").text());
     const ModelFileRow* const model = modelFile(file);
     if (node.has("divisions") && (!model || model->polygons))
       node.at("divisions").fail("divisions apply only to the patches of a .bpt file");
@@ -313,8 +313,8 @@ class Collector {
     if (!named.number) {
       named.number = next;
       if (named.texture)
-        named.material.texture =
-            fromFile(*named.texture, [&] { return textures_.read(folder_ / named.texture->text()); });
+        named.material.texture = fromFile(
+            *named.texture, [&] { return textures_.read(namedFile(folder_, named.texture->text())); });
       all_.mesh.materials.push_back(named.material);
     }
     return named.number;

@@ -97,10 +97,9 @@ TEST(Obj, ReadsABitOfEverything) {
 // One note names the statements that the program does not use, each once, in the order of the file and with
 // no more of them than a line holds.
 TEST(Obj, NamesWhatItLeavesOut) {
-  EXPECT_THAT(
-      meshOf(kWhole).notes,
-      ElementsAre("a.obj:2: material library 'none.mtl' not found; materials defined only there are white",
-                  "a.obj: the program does not use vn, s, l, p, curv"));
+  EXPECT_THAT(meshOf(kWhole).notes, ElementsAre("a.obj:2: material library 'no such folder/none.mtl' not "
+                                                "found; materials defined only there are white",
+                                                "a.obj: the program does not use vn, s, l, p, curv"));
   std::string many = afterThreeVertices("f 1 2 3\n");
   for (int i = 0; i < 100'000; ++i) many += "k" + std::to_string(i % 50'000) + "\x1b\n";
   EXPECT_THAT(meshOf(many).notes,
@@ -108,15 +107,17 @@ TEST(Obj, NamesWhatItLeavesOut) {
                           "k5\\x1b, k6\\x1b, k7\\x1b, k8\\x1b, k9\\x1b, k10\\x1b, k11\\x1b and others"));
 }
 
-// Line ends make no difference: LF or CR LF, with or without the last one.
+// Line ends make no difference: LF, CR LF or CR, with or without the last one.
 TEST(Obj, DoesNotDependOnLineEnds) {
-  std::string lf, crLf;
+  std::string lf, crLf, cr;
   for (const char c : kWhole) {
     if (c == '\r') continue;
     lf += c;
+    cr += c == '\n' ? '\r' : c;
     crLf += c == '\n' ? "\r\n" : std::string{c};
   }
   expectSame(meshOf(lf), meshOf(kWhole));
+  expectSame(meshOf(cr), meshOf(kWhole));
   expectSame(meshOf(crLf), meshOf(kWhole));
   expectSame(meshOf(crLf + "\r\n"), meshOf(kWhole));
 }
@@ -237,16 +238,16 @@ TEST(Obj, TakesColorsFromItsLibraries) {
   folder.write("b.mtl", "newmtl red\nKd 0.5 0 0\nnewmtl blue\nKd 0 0 1\n");
   folder.write("my own.mtl", "newmtl my green\nKd 0 1 0\n");
   const std::filesystem::path file = folder.write(
-      "a.obj", afterThreeVertices("f 1 2 3\nusemtl blue\nf 1 2 3\nmtllib none.mtl\nmtllib a.mtl b.mtl\n"
-                                  "mtllib a.mtl\nmtllib my own.mtl\nmtllib .\nusemtl red\nf 1 2 3\n"
-                                  "usemtl unused\nusemtl my  green\nf 1 2 3\nusemtl what\nf 1 2 3\n"
-                                  "usemtl blue\nf 1 2 3\n"));
+      "a.obj",
+      afterThreeVertices("f 1 2 3\nusemtl blue\nf 1 2 3\nmtllib lib\\none.mtl\nmtllib a.mtl C:\\lib\\b.mtl\n"
+                         "mtllib a.mtl\nmtllib .\\my own.mtl\nmtllib .\nusemtl red\nf 1 2 3\n"
+                         "usemtl unused\nusemtl my  green\nf 1 2 3\nusemtl what\nf 1 2 3\n"
+                         "usemtl blue\nf 1 2 3\n"));
   const Mesh mesh = readObj(file);
-  EXPECT_THAT(
-      mesh.notes,
-      ElementsAre(
-          file.string() + ":7: material library 'none.mtl' not found; materials defined only there are white",
-          file.string() + ": no library has the material 'what': it is white"));
+  EXPECT_THAT(mesh.notes, ElementsAre(file.string() + ":7: material library '" +
+                                          (folder.path() / "lib/none.mtl").string() +
+                                          "' not found; materials defined only there are white",
+                                      file.string() + ": no library has the material 'what': it is white"));
   EXPECT_THAT(mesh.material, ElementsAre(-1, 0, 1, 2, 3, 0));
   ASSERT_EQ(mesh.materials.size(), 4u);
   EXPECT_EQ(mesh.materials[0].name, "blue");

@@ -157,7 +157,7 @@ std::shared_ptr<const Scene> SceneShelf::scene(const Node& name, int divisions) 
   const std::string text = name.text();
   std::shared_ptr<const Scene>& found = scenes_[{text, divisions}];
   if (found) return found;
-  const std::filesystem::path file = isBuiltIn(text) ? std::filesystem::path{text} : folder_ / text;
+  const std::filesystem::path file = isBuiltIn(text) ? std::filesystem::path{text} : namedFile(folder_, text);
   if (!isBuiltIn(text) && !std::filesystem::is_regular_file(file))
     name.fail(inQuotes(text) + " is no built-in scene, and no file beside the lesson");
   Scene scene = readScene(file.string(), divisions);
