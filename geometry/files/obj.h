@@ -11,14 +11,14 @@ namespace xnewell {
 /// Reads the polygons of a Wavefront OBJ file (Alias|Wavefront, Advanced Visualizer manual, appendix B1).
 ///
 /// It reads `v` (x y z; it ignores a weight or a colour after them), `vt` (u, v; a missing v is 0, a depth is
-/// ignored), and `f` with corners `v`, `v/vt`, `v//vn` or `v/vt/vn`. Indices count from 1 or, if negative,
-/// back from the last one so far. It reads `g` and `o`, which both begin a group, `usemtl`, and `mtllib` for
-/// colours, exponents and textures (mtl.h). It uses nothing else, not even `vn`: vertex
-/// normals are computed. Mesh::notes names the other statements once. A face may refer to vertices that come
-/// later in the file.
+/// ignored), `vn` (x, y, z; 0 and NaN count as none), and `f` with corners `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+/// Indices count from 1 or, if negative, back from the last one so far. It reads `g` and `o`, which both
+/// begin a group, `usemtl`, and `mtllib` for colours, exponents and textures (mtl.h). It uses nothing else.
+/// Mesh::notes names the other statements once. A face may refer to vertices that come later in the file.
 ///
 /// Mesh::points      every `v` in file order, correctly rounded (number.h), used or not.
 /// Mesh::uv          every `vt` in file order, if a face uses any; then those that -s and -o of map_Kd move.
+/// Mesh::normals     those of the corners.
 /// Mesh faces        every `f` in file order, unchanged: no triangulation.
 /// Mesh::groupNames  the groups that own a face, in file order. Several names after `g` are one name, joined
 ///                   by blanks. A group that begins twice is one group. Faces before any group belong to

@@ -92,6 +92,7 @@ class PlyReader {
     uv_ = numbersOf(vertex, {"u", "v"});
     if (uv_.empty()) uv_ = numbersOf(vertex, {"s", "t"});
     if (uv_.empty()) uv_ = numbersOf(vertex, {"texture_u", "texture_v"});
+    normal_ = numbersOf(vertex, {"nx", "ny", "nz"});
   }
 
   /// The place of the list of vertices.
@@ -106,6 +107,7 @@ class PlyReader {
   void readVertices(const PlyElement& e) {
     std::vector<int> used = xyz_;
     used.insert(used.end(), uv_.begin(), uv_.end());
+    used.insert(used.end(), normal_.begin(), normal_.end());
     readRows(e, used, [&] {
       glm::dvec3 point;
       for (int axis = 0; axis < 3; ++axis) {
@@ -115,6 +117,8 @@ class PlyReader {
       }
       faces_.mesh.points.push_back(point);
       if (!uv_.empty()) faces_.mesh.uv.emplace_back(finite(e, uv_[0]), finite(e, uv_[1]));
+      if (!normal_.empty())
+        faces_.normals.emplace_back(values_[normal_[0]], values_[normal_[1]], values_[normal_[2]]);
     });
   }
 
@@ -192,7 +196,7 @@ class PlyReader {
     if (text()) {
       word_ = first_.empty() ? words_.next() : std::exchange(first_, {});
       if (word_.empty()) fail("the line of " + which() + " ends early");
-      return used ? toNumber(words_, word_) : 0.0;
+      return used ? toNumber(words_, word_, true) : 0.0;
     }
     const std::size_t bytes = rowOf(id).bytes;
     if (bytes > data_.size() - at_) failShort();
@@ -275,7 +279,7 @@ class PlyReader {
   std::size_t at_ = 0;  ///< of binary data
   Words words_;         ///< of text
   std::string name_;
-  std::vector<int> xyz_, uv_;  ///< the places of properties; no uv if there is none
+  std::vector<int> xyz_, uv_, normal_;  ///< the places of properties; empty if there are none
   int vertexCount_ = 0;
   const PlyElement* kind_ = nullptr;
   int row_ = 0;                            ///< number of the element in its kind, from 1

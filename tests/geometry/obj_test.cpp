@@ -99,7 +99,7 @@ TEST(Obj, ReadsABitOfEverything) {
 TEST(Obj, NamesWhatItLeavesOut) {
   EXPECT_THAT(meshOf(kWhole).notes, ElementsAre("a.obj:2: material library 'no such folder/none.mtl' not "
                                                 "found; materials defined only there are white",
-                                                "a.obj: the program does not use vn, s, l, p, curv"));
+                                                "a.obj: the program does not use s, l, p, curv"));
   std::string many = afterThreeVertices("f 1 2 3\n");
   for (int i = 0; i < 100'000; ++i) many += "k" + std::to_string(i % 50'000) + "\x1b\n";
   EXPECT_THAT(meshOf(many).notes,
@@ -191,6 +191,23 @@ TEST(Obj, ReadsTextureCoordinates) {
   const Mesh unused = meshOf(afterThreeVertices(three + "f 1 2 3//1\n"));
   EXPECT_TRUE(unused.uv.empty());
   EXPECT_TRUE(unused.uvOfCorner.empty());
+}
+
+// Corners may have normals that come later, of any length. What is no direction counts as none.
+TEST(Obj, ReadsNormals) {
+  const Mesh mesh = meshOf(afterThreeVertices(
+      "f 1 2 3\nf 1//1 2//4 3\nvn 0 0 2\nvn 0 0 0\nvn nan 0 1\nvn -1.#IND 0 1\nf 1//-4 2//2 3//3\n"));
+  constexpr glm::dvec3 up{0, 0, 1}, none{0};
+  EXPECT_THAT(mesh.normals, ElementsAre(none, none, none, up, none, none, up, none, none));
+  EXPECT_THAT(mesh.notes, testing::IsEmpty());
+  EXPECT_TRUE(meshOf(afterThreeVertices("vn 0 0 1\nf 1 2 3\n")).normals.empty());
+  for (const std::string lost : {"2", "-2"}) {
+    const Mesh lacking = meshOf(afterThreeVertices("vn 0 0 1\nf 1//1 2//" + lost + " 3\n"));
+    EXPECT_THAT(lacking.normals, ElementsAre(up, none, none));
+    EXPECT_THAT(lacking.notes,
+                ElementsAre("a.obj: faces have normals that the file lacks: there they are computed"));
+  }
+  EXPECT_EQ(complaintOf("vn 0 0\n"), "a.obj:1: a normal needs three coordinates");
 }
 
 TEST(Obj, RefusesWrongTextureCoordinates) {

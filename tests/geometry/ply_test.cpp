@@ -118,6 +118,21 @@ TEST(Ply, ReadsStripsOfTriangles) {
     EXPECT_THAT(meshOf(ply.as(form)).corners, ElementsAre(0, 1, 2, 2, 1, 3, 4, 1, 0));
 }
 
+// Normals of vertices become those of the corners.
+TEST(Ply, ReadsNormals) {
+  PlyText ply{.declared = "element vertex 3\n", .values = {}, .perLine = {6, 6, 6, 4}};
+  for (const char* const name : {"x", "y", "z", "nx", "ny", "nz"})
+    ply.declared += "property float " + std::string{name} + '\n';
+  ply.declared += "element face 1\nproperty list uchar int vertex_indices\n";
+  for (const double v : {0, 0, 0, 0, 0, 2, 1, 0, 0, 0, 3, 0, 0, 1, 0, 0, 0, 0})
+    ply.values.push_back({'f', v});
+  ply.values[17].value = NAN;
+  ply.values.insert(ply.values.end(), {{'B', 3}, {'i', 2}, {'i', 0}, {'i', 1}});
+  for (const PlyForm form : {PlyForm::Text, PlyForm::LittleEndian, PlyForm::BigEndian})
+    EXPECT_THAT(meshOf(ply.as(form)).normals,
+                ElementsAre(glm::dvec3{0.0}, glm::dvec3{0, 0, 1}, glm::dvec3{0, 1, 0}));
+}
+
 // A file cut off at any byte, or with a few wrong bytes, is either read or reported as wrong, with its name.
 // It takes no more memory than the file has bytes for, whatever the header promises.
 TEST(Ply, SurvivesWrongBytes) {

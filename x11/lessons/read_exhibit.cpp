@@ -15,8 +15,10 @@ namespace {
 Scene relisted(const Scene& scene, const std::vector<int>& listed) {
   Mesh mesh = scene.mesh;
   mesh.corners.clear(), mesh.firstCorner = {0}, mesh.group.clear(), mesh.material.clear();
+  mesh.normals.clear();
   for (const int face : listed)
-    mesh.addFace(scene.mesh.face(face), scene.mesh.group[face], scene.mesh.material[face]);
+    mesh.addFace(scene.mesh.face(face), scene.mesh.group[face], scene.mesh.material[face], {},
+                 scene.mesh.normalsOf(face));
   Scene again = makeScene(scene.name, std::move(mesh), scene.up);
   again.exponent = scene.exponent;
   again.camera = scene.camera;
