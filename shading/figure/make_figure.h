@@ -42,7 +42,8 @@ struct FigureStages {
 
   FigureStages(const Scene& scene, const PictureSettings& settings, int tolerance, bool smooth = false);
   [[nodiscard]] VectorFigure figure(FigureColors colors = FigureColors::Shades,
-                                    FigureEdges edges = FigureEdges::None) const;
+                                    FigureEdges edges = FigureEdges::None,
+                                    const FigureColor& edgeColor = {}) const;
 };
 
 }  // namespace xnewell

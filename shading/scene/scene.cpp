@@ -4,12 +4,15 @@
 #include <cerrno>
 #include <cmath>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "geometry/exact/plane.h"
 #include "geometry/exact/scale.h"
+#include "geometry/exact/unit.h"
 #include "geometry/files/data_folder.h"
 #include "geometry/files/model_file.h"
 #include "geometry/files/parse_error.h"
@@ -51,6 +54,21 @@ void keepUsedPoints(Mesh& mesh) {
   mesh.points = std::move(used);
 }
 
+/// Some files have normals to one side of a face, and its outline to the other. The outline decides which
+/// side is the front, so the normals of a face are turned to where most of them belong.
+void turnNormals(Mesh& mesh) {
+  if (std::ranges::all_of(mesh.normals, [](const glm::dvec3& N) { return N == glm::dvec3{0.0}; }))
+    mesh.normals.clear();
+  for (int f = 0; !mesh.normals.empty() && f < mesh.faceCount(); ++f) {
+    const glm::dvec3 front = unit(newellVector(mesh.points, mesh.face(f)));
+    double along = 0.0;
+    for (const glm::dvec3& N : mesh.normalsOf(f)) along += glm::dot(N, front);
+    if (along < 0.0)
+      for (int k = mesh.firstCorner[f]; k < mesh.firstCorner[f + 1]; ++k)
+        mesh.normals[k] = 0.0 - mesh.normals[k];
+  }
+}
+
 }  // namespace
 
 Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
@@ -71,6 +89,8 @@ Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
   scene.light.unit = std::ldexp(1.0, -scene.exponent);
   for (glm::dvec3& p : scene.mesh.points) p = scaled(p, -scene.exponent);
   for (double& u : scene.mesh.rounding) u = std::ldexp(u, -scene.exponent);
+  turnNormals(scene.mesh);
+  if (!scene.mesh.normals.empty()) scene.settings.normals = NormalRule::File;
   scene.parts = divideFaces(scene.mesh);
   uniteCoplanar(scene.mesh, scene.parts);
   return scene;
@@ -93,8 +113,10 @@ int facesOf(const PatchRun& run) {
   return static_cast<int>(run.patches.size()) * run.divisions * run.divisions;
 }
 
-std::vector<glm::dvec3> exactNormals(const Scene& scene) {
+std::vector<glm::dvec3> exactNormals(const Scene& scene, NormalRule rule) {
   std::vector<glm::dvec3> normals;
+  if (rule == NormalRule::File) normals = scene.mesh.normals;
+  if (rule < NormalRule::Exact) return normals;
   for (const PatchRun& run : scene.patches) {
     normals.resize(scene.mesh.corners.size(), glm::dvec3{0.0});
     std::ranges::copy(cornerNormals(run.patches, run.divisions), normals.begin() + run.firstCorner);

@@ -49,7 +49,22 @@ constexpr std::array kNamedKeys{
     KeysymRow{XK_F11, XK_F11, NamedKey::F11},
 };
 
-/// Translates a key event: keysyms to named keys, Latin-1 letters to themselves.
+/// The letter of ASCII that a key has in another group of the keyboard's layout; 0 if it has none. So the
+/// keys of the program work while Russian or Greek is written.
+char letterOfOtherGroup(const XKeyEvent& event) {
+  for (int group = 0; group < XkbNumKbdGroups; ++group) {
+    const KeySym symbol = XkbKeycodeToKeysym(event.display, static_cast<KeyCode>(event.keycode), group,
+                                             (event.state & ShiftMask) != 0);
+    if (group == static_cast<int>(XkbGroupForCoreState(event.state)) || symbol <= ' ' || symbol > '~')
+      continue;
+    KeySym lower = symbol, upper = symbol;
+    if ((event.state & LockMask) != 0) XConvertCase(symbol, &lower, &upper);
+    return static_cast<char>(symbol == lower ? upper : lower);
+  }
+  return 0;
+}
+
+/// Translates a key event: keysyms to named keys, letters of ASCII to themselves.
 std::optional<Key> keyOf(XKeyEvent& event) {
   char letter = 0;
   KeySym symbol = NoSymbol;
@@ -58,14 +73,15 @@ std::optional<Key> keyOf(XKeyEvent& event) {
   const auto* const row = std::ranges::find_if(
       kNamedKeys, [&](const KeysymRow& r) { return r.symbol == symbol || r.onKeypad == symbol; });
   if (row != kNamedKeys.end()) return Key{row->name, 0, shift || symbol == XK_ISO_Left_Tab};
-  if (count == 1 && letter > ' ') return Key{NamedKey::Letter, letter, shift};
+  if (count == 0 && (event.state & ControlMask) == 0) letter = letterOfOtherGroup(event);
+  if (letter > ' ') return Key{NamedKey::Letter, letter, shift};
   return std::nullopt;
 }
 
-template <KeySym kWanted>
+template <Key kWanted>
 Bool isKey(Display*, XEvent* event, XPointer) {
-  return event->type == KeyPress && XLookupKeysym(&event->xkey, 0) == kWanted &&
-         (event->xkey.state & (ShiftMask | ControlMask)) == 0;
+  const std::optional<Key> key = event->type == KeyPress ? keyOf(event->xkey) : std::nullopt;
+  return key && key->isSameKeyAs(kWanted);
 }
 
 /// Ends the program: there is no window left to draw into.
@@ -210,8 +226,9 @@ class Viewer {
     if (XCheckTypedEvent(display(), DestroyNotify, &event)) endWithoutWindow();
     if (note.mayEnd && XCheckTypedEvent(display(), ClientMessage, &event) && canvas_.isCloseRequest(event))
       _exit(0);
-    if (note.mayEnd && XCheckIfEvent(display(), &event, isKey<XK_q>, nullptr)) _exit(0);
-    const bool giveUp = note.mayGiveUp && XCheckIfEvent(display(), &event, isKey<XK_Escape>, nullptr);
+    if (note.mayEnd && XCheckIfEvent(display(), &event, isKey<Key{'q'}>, nullptr)) _exit(0);
+    const bool giveUp =
+        note.mayGiveUp && XCheckIfEvent(display(), &event, isKey<Key{NamedKey::Escape}>, nullptr);
     if (giveUp) note.mayGiveUp = false, note.givesUp = true;
     if (seconds == busyFor_ && !giveUp) return false;
     IndexImage box{canvas_.width(), canvas_.height(), plan_[Cell::Paper]};

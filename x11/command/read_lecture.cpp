@@ -23,7 +23,7 @@ constexpr int kMostPages = 200;
 
 /// A file beside the lecture, or else one of the working folder, or a built-in name.
 std::string beside(const std::filesystem::path& folder, const std::string& name) {
-  const std::filesystem::path file = folder / name;
+  const std::filesystem::path file = namedFile(folder, name);
   return std::filesystem::is_regular_file(file) ? file.string() : name;
 }
 

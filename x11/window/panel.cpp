@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "x11/drawing/font.h"
+#include "shading/color/font.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/wording.h"
 #include "x11/options/options.h"

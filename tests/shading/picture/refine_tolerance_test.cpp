@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shading/picture/refine.h"
+#include "tests/support/illuminate.h"
 #include "tests/support/lit_solids.h"
 #include "tests/support/seeds.h"
 

@@ -9,11 +9,11 @@
 #include <random>
 #include <set>
 
+#include "shading/color/font.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/seeds.h"
 #include "tests/x11/support/shown_sort_page.h"
-#include "x11/drawing/font.h"
 #include "x11/stepper/outline.h"
 #include "x11/stepper/sort_wording.h"
 

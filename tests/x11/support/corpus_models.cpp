@@ -146,9 +146,9 @@ std::vector<CorpusModel> corpusModels() {
   open.faces.pop_back();
 
   const std::string noLibrary =
-      ":2: material library 'gone.mtl' not found; materials defined only there are white";
+      ":2: material library 'FOLDER/gone.mtl' not found; materials defined only there are white";
   return {
-      {"groups.obj", groups, box, 0, 0, 0, {noLibrary, ": the program does not use vn, s, l, p"}},
+      {"groups.obj", groups, box, 0, 0, 0, {noLibrary, ": the program does not use s, l, p"}},
       {"negative.obj", negativeObj(box), box},
       {"ngons.obj", vertices(manyCorners) + faces(manyCorners), manyCorners},
       {"crlf.obj", crLf, box},
