@@ -1,6 +1,10 @@
 #include "geometry/files/visible.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <sstream>
+#include <utility>
 
 namespace xnewell {
 
@@ -28,21 +32,33 @@ std::size_t characterSize(std::string_view text) {
 
 }  // namespace
 
-std::string visible(std::string_view text) {
+bool putVisible(std::string_view text, std::streambuf& to) {
   constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string shown;
-  while (!text.empty()) {
+  const auto put = [&](std::string_view part) {
+    return to.sputn(part.data(), std::ssize(part)) == std::ssize(part);
+  };
+  bool well = true;
+  while (!text.empty() && well) {
     const std::size_t control = controlSize(text), size = control > 0 ? control : characterSize(text);
     if (control == 0)
-      shown += text.substr(0, size);
+      well = put(text.substr(0, size));
     else if (text[0] == '\n' || text[0] == '\t')
-      shown += text[0] == '\n' ? "\\n" : "\\t";
+      well = put(text[0] == '\n' ? "\\n" : "\\t");
     else
       for (std::size_t k = 0; k < control; ++k)
-        shown += {'\\', 'x', kDigits[byteAt(text, k) >> 4], kDigits[byteAt(text, k) & 15]};
+        well =
+            well &&
+            put({std::array{'\\', 'x', kDigits[byteAt(text, k) >> 4], kDigits[byteAt(text, k) & 15]}.data(),
+                 4});
     text.remove_prefix(size);
   }
-  return shown;
+  return well;
+}
+
+std::string visible(std::string_view text) {
+  std::stringbuf shown;
+  putVisible(text, shown);
+  return std::move(shown).str();
 }
 
 std::string_view beginOf(std::string_view text, std::size_t most) {

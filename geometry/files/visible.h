@@ -1,5 +1,6 @@
 #pragma once
 
+#include <streambuf>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,8 @@ namespace xnewell {
 /// control character, of ASCII or of Latin-1, becomes \n, \t or, byte by byte, \x1b. All other bytes stay,
 /// also those that are no UTF-8: a file's name is bytes.
 [[nodiscard]] std::string visible(std::string_view text);
+/// Writes it without memory of its own. Returns false if that failed.
+bool putVisible(std::string_view text, std::streambuf& to);
 
 /// True for a byte that begins no character of UTF-8.
 [[nodiscard]] constexpr bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }

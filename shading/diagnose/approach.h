@@ -61,9 +61,21 @@ enum class CellWay {
   NoI0Wraps,
   Even
 };
-enum class StoreWay { AsAsked, Rounded8, Minus11, EightIn16, Ratio240, Ratio64, Backwards, Gamma };
-/// What is shown of an intensity without a table: 255 I, 256 I, or 255 I^(1/2.2).
-enum class DirectWay { None, By255, By256, Gamma };
+/// The last three store no table: the picture has 255 I, 256 I up to 255, or 255 I^(1/2.2) itself. Whole
+/// numbers are the nearest, or cut off as the cells of the CellWay are.
+enum class StoreWay {
+  AsAsked,
+  Rounded8,
+  Minus11,
+  EightIn16,
+  Ratio240,
+  Ratio64,
+  Backwards,
+  Gamma,
+  By255,
+  By256,
+  ByGamma
+};
 /// Which faces show: the nearest; as listed; the nearest painted first; sorted by nearest z; no fronts.
 enum class PaintWay { Nearest, Listed, Reversed, NearestZ, BacksOnly };
 enum class TurnWay { Upright, UpsideDown, Mirrored, Turned };
@@ -106,7 +118,7 @@ struct Approach {
   CellWay cell = CellWay::Nearest;
   StoreWay store = StoreWay::AsAsked;
   std::optional<TableKind> table = {};  ///< another kind, for cells and for what they hold
-  DirectWay direct = DirectWay::None;   ///< each channel, or the one hue, without a table
+  bool directColors = false;            ///< several hues: each channel is 255 I
   PaintWay paint = PaintWay::Nearest;
   TurnWay turn = TurnWay::Upright;
 

@@ -24,7 +24,8 @@ constexpr double kLargeN = 32;
 constexpr int kFewTelling = 5;  ///< samples; fewer tell nothing
 constexpr double kTwoInformative = 0.95;
 constexpr int kPlacesForTwo = 3;  ///< pairs of values that must tell before two mistakes are named
-constexpr std::size_t kFacesForNumber = 3;  ///< that must tell, or values of smooth ones
+/// The faces, or values of smooth ones, that must tell a number; a third of those that are not right will do.
+constexpr int kFacesForNumber = 3;
 
 /// -log p(d) for each width, in steps of 1/16 shade.
 constexpr int kSteps = 16, kFarthest = 256 * kSteps;
@@ -178,7 +179,8 @@ bool Diagnoser::severalTell(const Fit& number, const Hypothesis& best) {
   for (std::size_t s = 0; s < mine.size(); ++s)
     if (shows(way.turn, s, mine[s]) && !shows(without.turn, s, theirs[s]))
       faces.emplace(samples_[s].face, tellsExactly() ? 0 : asHanded_.value[s][0]);
-  return faces.size() >= kFacesForNumber;
+  const auto tell = static_cast<int>(faces.size());
+  return tell >= kFacesForNumber || tell * kFacesForNumber >= number.places;
 }
 
 void Diagnoser::decide(Diagnosis& d) {
@@ -186,6 +188,7 @@ void Diagnoser::decide(Diagnosis& d) {
   for (const Hypothesis& h : hypotheses()) {
     const Approach way = approachWith(h);
     if (!applies(h) || reads_[static_cast<std::size_t>(way.turn)].value.empty()) continue;
+    if (h.key == "direct-colours" && !model_.colors) continue;
     Fit one = fit(way.turn, known(h));
     one.first = &h;
     if (h.meaning != Meaning::Numbers)

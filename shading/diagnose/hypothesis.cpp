@@ -15,6 +15,8 @@ using namespace rows;
 
 /// What the course allows.
 void addAllowed(std::vector<Hypothesis>& all) {
+  constexpr std::string_view kStores255 = "It stores 255 I, not the table's colour.";
+  constexpr std::string_view kStoresGamma = "It stores 255 I^(1/2.2), not the table's colour.";
   all.insert(all.end(),
              {allowed("L-constant", "L", "L is the same everywhere, as of a light far away.",
                       [](W& w) { w.light = TowardsLight::Constant; }),
@@ -69,12 +71,16 @@ void addAllowed(std::vector<Hypothesis>& all) {
               allowed(
                   "8-bits", "table", "Stored values are rounded to 8 bits, not to 16.",
                   [](W& w) { w.store = StoreWay::Rounded8; }, isCorrected),
-              allowed("direct-colours", "color(I)", "It stores 255 I, not the table's colour.",
-                      [](W& w) { w.direct = DirectWay::By255; }),
-              allowed("direct-256", "color(I)", "It stores 256 I, not the table's colour.",
-                      [](W& w) { w.direct = DirectWay::By256; }),
-              allowed("direct-gamma", "color(I)", "It stores 255 I^(1/2.2), not the table's colour.",
-                      [](W& w) { w.direct = DirectWay::Gamma; })});
+              allowed("direct-colours", "color(I)", "Each channel is 255 I, without a table of few colours.",
+                      [](W& w) { w.directColors = true; }),
+              allowed("stores-255-I", "color(I)", kStores255, [](W& w) { w.store = StoreWay::By255; }),
+              allowed("stores-255-I", "color(I)", kStores255,
+                      [](W& w) { w.store = StoreWay::By255, w.cell = CellWay::Truncated; }),
+              allowed("stores-256-I", "color(I)", "It stores 256 I, up to 255, not the table's colour.",
+                      [](W& w) { w.store = StoreWay::By256, w.cell = CellWay::Truncated; }),
+              allowed("stores-gamma", "color(I)", kStoresGamma, [](W& w) { w.store = StoreWay::ByGamma; }),
+              allowed("stores-gamma", "color(I)", kStoresGamma,
+                      [](W& w) { w.store = StoreWay::ByGamma, w.cell = CellWay::Truncated; })});
 }
 
 /// A form of a mistake that flows on into the turning of N towards the eye.

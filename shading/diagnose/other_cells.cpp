@@ -75,6 +75,14 @@ double OtherProgram::levelOf(int j) const {
   return j < 0 ? 0.0 : 1.0;
 }
 
+double OtherProgram::withoutTable(double I) const {
+  const double in = std::clamp(I, 0.0, 1.0);
+  const double value = way_.store == StoreWay::By256     ? std::min(255.0, 256.0 * in)
+                       : way_.store == StoreWay::ByGamma ? 255.0 * std::pow(in, 1.0 / 2.2)
+                                                         : 255.0 * in;
+  return way_.cell == CellWay::Truncated ? std::floor(value) : nearestWhole(value);
+}
+
 double OtherProgram::stored(int cell) const {
   int j = cell - table_.first();
   const auto shown = [](double level) { return std::floor(std::floor(65535.0 * level + 0.5) / 256.0); };

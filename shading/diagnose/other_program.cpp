@@ -37,12 +37,6 @@ double clampedBy(ClampWay way, double cosine) {
 /// v^n, as far as a picture can tell.
 double toThe(double v, double n) { return std::clamp(n == 0.0 ? 1.0 : std::pow(v, n), -1e6, 1e6); }
 
-/// The value that is shown of an intensity without a table, between what rounding and cutting off make of it.
-double directly(DirectWay way, double I) {
-  if (way == DirectWay::By256) return std::clamp(256.0 * I - 0.5, 0.0, 255.0);
-  return std::max(0.0, 255.0 * (way == DirectWay::Gamma ? std::pow(I, 1 / 2.2) : I) - 0.25);
-}
-
 /// What a spot's cone leaves of the light in direction -L.
 double coneShare(const Light& light, const glm::dvec3& L) {
   if (light.kind != LightKind::Spot) return 1.0;
@@ -345,18 +339,11 @@ ShownHere OtherProgram::at(int face, int i, int j) {
   if (model_.colors) {
     std::array<double, 3> I{};
     for (int c = 0; c < 3; ++c) I[c] = clamped01(place.rest[c] + place.diffuse[c] * share[c]);
-    if (way_.direct != DirectWay::None) {
-      for (int c = 0; c < 3; ++c) shown.value[c] = directly(way_.direct, I[c]);
-    } else if (model_.ramps) {
+    if (model_.ramps && !way_.directColors) {
       onRamp(shown, I, model_.picture().colors().tableOf(material));
     } else {
       for (int c = 0; c < 3; ++c) shown.value[c] = 255.0 * I[c];
     }
-    return shown;
-  }
-  if (way_.direct != DirectWay::None) {
-    shown.value[0] = directly(way_.direct, clamped01(shown.I));
-    shown.cell = -1;
     return shown;
   }
   shown.cell = cellOf(shown.I);
@@ -365,6 +352,10 @@ ShownHere OtherProgram::at(int face, int i, int j) {
     for (int k = 0; k < 3; ++k)
       between += in.onScreen[k] * cellOf(intensity(atCorner(f.number, in.corner[k], f.back), kNoTexel));
     shown.cell = static_cast<int>(std::floor(between + 0.5));
+  }
+  if (way_.store >= StoreWay::By255) {
+    shown.value[0] = withoutTable(shown.I);
+    return shown;
   }
   shown.value[0] = stored(shown.cell);
   const int j0 = std::clamp(shown.cell - table_.first(), 1, table_.shades() - 2);

@@ -44,6 +44,8 @@ class OtherProgram {
   [[nodiscard]] int brightest() const { return table_.first() + table_.shades() - 1; }
   /// What a cell holds.
   [[nodiscard]] double stored(int cell) const;
+  /// What a program shows that stores no table.
+  [[nodiscard]] double withoutTable(double I) const;
 
  private:
   /// A sample in one of the triangles of its face.

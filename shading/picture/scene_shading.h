@@ -22,8 +22,8 @@ namespace xnewell {
 /// The data that shading computes once for a scene and keeps: normals at vertices, the resolved light, and
 /// evaluated intensities. It holds only what is required: no vertex normals for flat shading, no intensities
 /// for Phong shading, and no normals at all where all light is ambient (environment maps keep theirs). A
-/// method that uses no light has the lighting() alone. It is an immutable value made of shared parts. The next
-/// value shares with it all parts that did not change.
+/// method that uses no light has the lighting() alone. It is an immutable value made of shared parts. The
+/// next value shares with it all parts that did not change.
 class SceneShading {
  public:
   /// The data for these settings. A part is computed again only if something that it depends on has changed.

@@ -71,8 +71,8 @@ namespace xnewell {
 /// text is not JSON, the message gives the line number instead of the key. @throws std::system_error
 [[nodiscard]] Scene readSceneFile(const std::filesystem::path& file, int divisions = kDefaultDivisions);
 
-/// True for a file that names another scene. No such file is a part of a scene. It throws what readSceneFile()
-/// throws.
+/// True for a file that names another scene. No such file is a part of a scene. It throws what
+/// readSceneFile() throws.
 [[nodiscard]] bool isSetup(const std::filesystem::path& file);
 
 /// The "shows" sentence of a file, or "" if it has none. It throws what readSceneFile() throws.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace student {
 
@@ -154,6 +155,12 @@ class Drawing {
       held_[i] = static_cast<std::uint8_t>(sixteen >> 8);
       if (has("8-bits")) held_[i] = static_cast<std::uint8_t>(std::lround(v * 255));
     }
+  }
+  [[nodiscard]] std::optional<std::uint8_t> withoutTable(double I) const {
+    if (has("stores-255-I")) return static_cast<std::uint8_t>(p_.half ? std::lround(255 * I) : long(255 * I));
+    if (has("stores-256-I")) return static_cast<std::uint8_t>(std::min(255.0, 256 * I));
+    if (has("stores-gamma")) return static_cast<std::uint8_t>(255 * std::pow(I, 1 / 2.2));
+    return {};
   }
   [[nodiscard]] double ratioSteps(int j) const {
     if (has("table-r-240-steps")) return j / 240.0;
@@ -349,6 +356,7 @@ class Drawing {
         if (method == 'g' && has("cells-between"))
           r.cell[at] = int(std::lround(b[0] * cellOf(I[0]) + b[1] * cellOf(I[1]) + b[2] * cellOf(I[2])));
         r.red[at] = held_[r.cell[at]];
+        if (const auto direct = withoutTable(std::clamp(value, 0.0, 1.0))) r.red[at] = *direct;
       }
   }
 

@@ -102,14 +102,14 @@ namespace {
 /// "right, but it stores 255 I, not the table's colour", and the option with which that is plainly right.
 std::string storedInWords(const Diagnosis& d) {
   const Fit& fit = d.found.front();
-  const auto stores = [](const Hypothesis* h) { return h != nullptr && h->key.starts_with("direct-"); };
+  const auto stores = [](const Hypothesis* h) { return h != nullptr && h->key.starts_with("stores-"); };
   if (!stores(fit.first) && !stores(fit.second)) return "";
   const Hypothesis &row = stores(fit.first) ? *fit.first : *fit.second, *const other = stores(fit.first)
                                                                                            ? fit.second
                                                                                            : fit.first;
   std::string words = "right, but i" + std::string{row.sentence.substr(1, row.sentence.size() - 2)};
   if (other != nullptr) words += ", with " + std::string{other->key} + " (the course allows it)";
-  if (d.oneHue && row.key != "direct-gamma") words += ": --colors chosen accepts it";
+  if (d.oneHue && row.key != "stores-gamma") words += ": --colors chosen accepts it";
   return words;
 }
 

@@ -384,8 +384,8 @@ void addVectors(Section& s, const PixelStory& story, const ExplainedEquation& at
           "f" + which + " = " + number(light.fatt) + " by distance x " + number(light.spot) + " by the cone",
           2);
     if (light.ownL)
-      s.say("the cone is asked at this place: L there" + components(*light.ownL) + "; L" + which +
-                " is that of the scene's centre",
+      s.say("from here, for the cone alone, L is" + components(*light.ownL) + ": L" + which +
+                " and the distance are those of the scene's centre",
             3);
   }
   s.add(std::move(t));

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <iterator>
 #include <ostream>
 #include <streambuf>
-#include <string>
 #include <string_view>
 
 #include "geometry/files/visible.h"
@@ -24,8 +22,7 @@ class VisibleStream : std::streambuf {
     for (std::string_view rest{text, static_cast<std::size_t>(size)}; !rest.empty();) {
       const std::string_view line = rest.substr(0, rest.find('\n'));
       const bool ends = line.size() < rest.size();
-      const std::string shown = visible(line) + (ends ? "\n" : "");
-      if (to_->sputn(shown.data(), std::ssize(shown)) != std::ssize(shown)) return 0;
+      if (!putVisible(line, *to_) || (ends && to_->sputc('\n') != '\n')) return 0;
       rest.remove_prefix(line.size() + (ends ? 1 : 0));
     }
     return size;

@@ -20,7 +20,7 @@ constexpr double kBetweenNews = 150;  // ms
 Measuring::Measuring(Scene scene, const PictureSettings& settings, TradeRequest request,
                      std::vector<std::string> without) {
   auto measure = [this, scene = Shared<Scene>{std::move(scene)}, settings, request = std::move(request),
-                        without = std::move(without)]() mutable {
+                  without = std::move(without)]() mutable {
     try {
       request.axes = choosableAxes(PictureCache{scene}.make(settings));
       std::erase_if(request.axes, [&](const std::string& axis) {

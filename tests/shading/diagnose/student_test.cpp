@@ -47,9 +47,10 @@ class Students {
 
   /// The keys that the student can plant here.
   [[nodiscard]] std::vector<std::string> keys(Meaning meaning) const {
-    static const std::set<std::string_view> kNotPlanted{"by-rows",      "direct-colours", "direct-256",
-                                                        "direct-gamma", "VN-sum",         "VN-distinct",
-                                                        "VN-angle",     "VN-patch"};
+    // Pictures without a table have a test of their own; corners that are half a pixel off hide which it is.
+    static const std::set<std::string_view> kNotPlanted{"by-rows",      "direct-colours", "VN-sum",
+                                                        "VN-distinct",  "VN-angle",       "VN-patch",
+                                                        "stores-255-I", "stores-256-I",   "stores-gamma"};
     std::vector<std::string> all;
     std::set<std::string_view> seen;
     for (const Hypothesis& h : hypotheses()) {
@@ -167,6 +168,19 @@ TEST(Diagnose, AccusesNoRightPicture) {
       student::Program program{.variant = "zmean"};
       EXPECT_TRUE(isRight(students.diagnosed(program)));
     }
+}
+
+// A picture without a table is right, and the verdict says what it holds instead.
+TEST(Diagnose, SaysWhatIsStoredInPlaceOfTheTable) {
+  for (const Shading method : someOf({Shading::Flat, Shading::Gouraud, Shading::Phong}, 1)) {
+    Students students{"bench-n3", method, TableKind::Linear};
+    for (const std::string key : {"stores-255-I", "stores-256-I", "stores-gamma"}) {
+      const Diagnosis d = students.diagnosed({.variant = key});
+      ASSERT_EQ(d.verdict, Marking::Allowed) << key;
+      EXPECT_TRUE(d.found[0].first->key == key || (d.found[0].second && d.found[0].second->key == key))
+          << key;
+    }
+  }
 }
 
 // The cells of an indexed picture tell a mistake in color(I) from one in the table.

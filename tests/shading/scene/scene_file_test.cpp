@@ -60,20 +60,22 @@ TEST(SceneFile, RoundingFromTheTextOfPolygons) {
     const Scene s = parsed(text);
     return std::ldexp(s.mesh.roundingOf(0), s.exponent);
   };
-  EXPECT_EQ(rounding(withObject(R"({"polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]]})")), 0.5 / 10 / 10);
-  EXPECT_EQ(rounding(withObject(
-                R"({"polygons": [[[0.250, 0, 0], [1, 0, 0], [0, 1, 0]]], "color": [0.12345, 0, 0]})")),
-            0.5 / 10 / 10 / 10);
+  EXPECT_EQ(rounding(withObject(R"({"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]]})")),
+            0.5 / 10 / 10);
+  EXPECT_EQ(
+      rounding(withObject(
+          R"({"polygons": [[[0.250, 0, 0], [15000, 0, 0], [0, 10000, 0]]], "color": [0.12345, 0, 0]})")),
+      0.5 / 10 / 10 / 10);
   EXPECT_EQ(rounding(withObject(R"({"solid": "cube", "move": [0.12345, 0, 0]})")), 0);
   // A choice of the same name does not count.
   EXPECT_EQ(rounding(R"({"shading": {"polygons": "rows", "light": [0.12345, 0, 1]}, "objects": [
-    {"polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]]}]})"),
+    {"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]]}]})"),
             0.5 / 10 / 10);
 }
 
 // Every object keeps the rounding of its own coordinates, scaled with it. A solid's coordinates are exact.
 TEST(SceneFile, RoundingByObject) {
-  const std::string polygons = R"("polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]])";
+  const std::string polygons = R"("polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]])";
   const Scene s = parsed(R"({"objects": [{"solid": "cube"}, {)" + polygons + R"(, "scale": 4}, {)" +
                          polygons + R"(, "name": "last"}, {"solid": "cube"}]})");
   const auto rounding = [&](int f) { return std::ldexp(s.mesh.roundingOf(f), s.exponent); };
@@ -241,8 +243,8 @@ TEST(SceneFile, RoundingOfTurnedObjects) {
   };
   EXPECT_NEAR(
       rounding(
-          R"({"polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]], "scale": [1, 2, 4], "rotate": [1, 2, 3]})"),
-      4 * std::sqrt(3.0) * 0.005, 1e-14);
+          R"({"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]], "scale": [1, 2, 4], "rotate": [1, 2, 3]})"),
+      4 * std::sqrt(3.0) * 0.005, 1e-10);  // doubles at 15,000 are rounded, too
   const double ofDoubles = rounding(R"({"solid": "cube", "rotate": [1, 2, 3]})");
   EXPECT_GT(ofDoubles, 0x1p-52);
   EXPECT_LT(ofDoubles, 0x1p-48);

@@ -362,7 +362,7 @@ TEST(Workbench, AnyViewsSetupIsACommand) {
         case WindowView::SideBySide:
           return "\n# cuts   ";
         case WindowView::Pixel:
-          return "\n# I = ka Ia + ";
+          return " I = ka Ia + ";
         default:
           return "# ";
       }

@@ -88,8 +88,7 @@ TEST_F(CommandTest, ExplainsASpotWithLConstant) {
   const Strings edge{"explain", "spotlight", "400,420", "--shade", "phong", "--constant-l"};
   const auto told = runProgram(edge);
   ASSERT_EQ(told.status, 0) << told.err;
-  const std::string says =
-      "   from here, for the cone alone: L and the distance are those of the scene's centre\n";
+  const std::string says = ": L and the distance are those of the scene's centre\n";
   EXPECT_NE(told.out.find(says), std::string::npos) << told.out;
   EXPECT_EQ(runProgram({"explain", "spotlight", "400,420"}).out.find(says), std::string::npos);
   const glm::dvec3 spot{-1.5, 1, 7}, axis = glm::normalize(glm::dvec3{0.2, 0, 0} - spot);

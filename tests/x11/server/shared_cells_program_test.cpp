@@ -180,11 +180,12 @@ TEST(SharedCellsProgram, StoringShowsInTheWindow) {
 // that needs another map is refused.
 TEST(SharedCellsProgram, ServeWhereNoMapCanBeMade) {
   const TemporaryFolder folder;
-  const std::string file = folder.file("picture.png");
+  std::string file;  // another one each time: what was read is not written
   const XServer server = XServer::xvfb(8);
   ASSERT_EQ(setenv("DISPLAY", server.name().c_str(), 1), 0);
   const NoMoreColormaps from;
   const auto snapshot = [&](const std::string& more) {
+    file = folder.file("picture" + std::to_string(more.size()) + ".png");
     const std::vector<std::string> line = words("xnewell snapshot cycle --size 160x120 -o " + file + more);
     std::vector<const char*> arguments;
     for (const std::string& word : line) arguments.push_back(word.c_str());
