@@ -357,4 +357,11 @@ TEST(BuiltInScenes, LampFallsWithDistance) {
   EXPECT_GT(floor.front().second, 0.5);
 }
 
+// P and Q are roles of the depth sort, so no part of a scene is called so.
+TEST(BuiltInScenes, NoNameIsARole) {
+  for (const BuiltInScene& scene : builtInScenes())
+    for (const std::string& name : readScene(scene.name, 2).mesh.groupNames)
+      for (const char* const role : {"p", "q", "P", "Q"}) EXPECT_NE(name, role) << scene.name;
+}
+
 }  // namespace xnewell::THIS_FILE
