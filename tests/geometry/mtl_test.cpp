@@ -101,4 +101,11 @@ TEST(Mtl, RefusesColorsThatAreNoNumbers) {
   EXPECT_EQ(complaintOf("newmtl a\nmap_Kd -s a.png\n"), "a.mtl:2: malformed number 'a.png'");
 }
 
+// A colour beyond 1 is cut off, with a note at its line.
+TEST(Mtl, NotesColorsBeyondOne) {
+  const MtlLibrary library = parseMtl("newmtl a\nKd 80\nKs 0 0 2\n", "a.mtl");
+  ASSERT_EQ(library.notes.size(), 1u);
+  EXPECT_EQ(library.notes.front(), "a.mtl:2: Kd 80 is read as 1: a colour has numbers from 0 to 1");
+}
+
 }  // namespace xnewell::THIS_FILE

@@ -9,6 +9,12 @@ namespace xnewell::THIS_FILE {
 TEST(SceneFile, ComplaintsNameThePlace) {
   EXPECT_EQ(complaint("{\n\"objects\": [\n1,,\n]}"), "s.json:3: not valid JSON here");
   EXPECT_EQ(complaint(""), "s.json:1: not valid JSON here");
+  // A bracket that is not closed is found where it opens, not where the text ends or closes another.
+  EXPECT_EQ(complaint("{\n\"objects\": [\n{\"name\": \"}\",\n\"polygons\": []\n]}"),
+            "s.json:3: this { is not closed");
+  EXPECT_EQ(complaint("{\"objects\": [\n{\"name\": \"a\",\n\"polygons\": []\n,\n{\"name\": \"b\"}]}"),
+            "s.json:2: this { is not closed");
+  EXPECT_EQ(complaint("{\n\"objects\": [\n\n"), "s.json:2: this [ is not closed");
   EXPECT_EQ(complaint("[]"), "s.json: an object { } is needed");
   EXPECT_EQ(complaint("{}"), "s.json: the scene has no faces");
   EXPECT_EQ(

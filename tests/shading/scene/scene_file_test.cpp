@@ -273,4 +273,22 @@ TEST(SceneFile, TakesNormalsOfModelsAlong) {
   for (int c = 0; c < 10; ++c) EXPECT_LT(glm::distance(scene.mesh.normals[c], expected[c]), 1e-15) << c;
 }
 
+// Faces that people rarely mean are noted: those that cross themselves, with an area or without, and bent
+// ones.
+TEST(SceneFile, NotesCrossingAndBentFaces) {
+  const auto notes = [](const std::string& face) {
+    const TemporaryFolder folder;
+    return readScene(folder.write("odd.json", withObject(R"({"polygons": [)" + face + "]}"))).mesh.notes;
+  };
+  const auto says = [&](const std::string& face, const char* what) {
+    const std::vector<std::string> all = notes(face);
+    return all.size() == 1 && all.front().find(what) != std::string::npos;
+  };
+  EXPECT_TRUE(says("[[0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]]", "face 0 crosses itself"));
+  EXPECT_TRUE(says("[[0, 0, 0], [2, 0, 2], [2, 0, 0], [0, 0, 1]]", "face 0 crosses itself"));
+  EXPECT_TRUE(says("[[0, 0, 0], [1, 0, 0], [1, 1, 0.1], [0, 1, 0]]", "face 0 is bent"));
+  EXPECT_TRUE(notes("[[0, 0, 0], [3, -2, 0], [1, 0, 0], [3, 2, 0]]").empty());
+  EXPECT_TRUE(notes("[[0, 0, 0], [1, 0, 0], [0, 1, 0]]").empty());
+}
+
 }  // namespace xnewell::THIS_FILE
