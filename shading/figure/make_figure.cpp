@@ -146,6 +146,17 @@ FigureStages::FigureStages(const Scene& scene, const PictureSettings& settings, 
       palette{picture.palette(CellPlan{settings.table.kind})},
       split{tolerance, samples ? shownSamples(picture, palette) : ShownSamples{}, smooth} {}
 
+VectorFigure marksOf(const Picture& picture) {
+  VectorFigure made;
+  made.width = picture.settings().width, made.height = picture.settings().height;
+  const SceneMarks& marks = picture.scene().marks;
+  if (marks.lines.empty() && marks.labels.empty()) return made;
+  const Picture withPlanes = picture.withPlanes();
+  addMarks(marks, withPlanes, HidingFaces{withPlanes.snapped(), made.width, made.height}, FigureEdges::None,
+           made);
+  return made;
+}
+
 VectorFigure FigureStages::figure(FigureColors colors, FigureEdges edges,
                                   const FigureColor& edgeColor) const {
   VectorFigure made = makeFigure(picture, order, palette, colors, split);

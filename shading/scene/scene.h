@@ -47,8 +47,7 @@ struct SceneOrigin {
   std::string texture = {};               ///< the file of the texture that wear() applied; "" for none
 };
 
-/// What a scene adds to its objects for figures only: lines and words that have a place in space, in the
-/// units of the mesh.
+/// What a scene adds to its objects: lines and words that have a place in space, in the units of the mesh.
 struct SceneLine {
   std::vector<glm::dvec3> points;
   glm::dvec3 color{0};
