@@ -95,6 +95,7 @@ class Viewer {
   Viewer(const Options& options, Scene scene)
       : server_{options, scene},
         scaleIsGiven_{options.gave("--scale")},
+        given_{options.size},
         size_{firstSize(options)},
         canvas_{server_.display.get(),
                 server_.colormap,
@@ -104,7 +105,7 @@ class Viewer {
         bench_{std::move(scene), server_.setupOf(options), forBench()},
         title_{titleOf(bench_.scene())},
         plan_{bench_.plan()} {
-    bench_.scale(scaleIsGiven_ ? options.scale : std::min(usualScale(), largestScale(size_.x, size_.y)));
+    bench_.scale(std::min(scaleIsGiven_ ? options.scale : usualScale(), largestScale(size_.x, size_.y)));
     bench_.resize(size_.x, size_.y);
     if (!options.answers.empty()) bench_.lessons().keepAnswers(options.answers);
     selectResources(display());
@@ -168,14 +169,16 @@ class Viewer {
     return server;
   }
 
-  /// The scale that suits the screen.
+  /// The scale that suits the screen, or the window if its size is given and needs a larger one.
   [[nodiscard]] int usualScale() const {
-    return scaleFor(readResources(display()), screenSize(display()), kMostScale);
+    const int ofScreen = scaleFor(readResources(display()), screenSize(display()), kMostScale);
+    return std::max(ofScreen, given_ ? std::min(given_->x / 960, given_->y / 540) : 1);
   }
   /// Without --size: the usual size at the scale, as far as the screen has room.
   [[nodiscard]] glm::ivec2 firstSize(const Options& options) const {
-    if (options.size || scaleIsGiven_) return windowSize(options);
-    return glm::max(kWindowSize, glm::min(kWindowSize * usualScale(), screenSize(display())));
+    if (options.size) return *options.size;
+    const glm::ivec2 wanted = scaleIsGiven_ ? windowSize(options) : kWindowSize * usualScale();
+    return glm::max(kWindowSize, glm::min(wanted, screenSize(display())));
   }
 
   static std::string titleOf(const Scene& scene) { return "xnewell: " + scene.name; }
@@ -367,7 +370,8 @@ class Viewer {
   }
 
   Server server_;
-  bool scaleIsGiven_;  ///< by an option
+  bool scaleIsGiven_;                ///< by an option
+  std::optional<glm::ivec2> given_;  ///< the window's size, by an option
   glm::ivec2 size_;
   Canvas canvas_;
   Selection selection_;

@@ -50,10 +50,16 @@ KeyTable Workbench::generalKeys() {
   const auto add = [&](char letter, const char* legend, const char* does, auto act) {
     table.push_back({{letter}, legend, does, [act](const Key&) { act(); }});
   };
-  if (visitsFromLesson())
-    table.push_back({{NamedKey::Escape}, "the lesson", "go back to the lesson", [this](const Key&) {
-                       switchTo(WindowView::Lesson);
+  if (came_ || visitsFromLesson()) {
+    const WindowView to = came_.value_or(WindowView::Lesson);
+    table.push_back({{NamedKey::Escape},
+                     to == WindowView::Lesson ? "the lesson" : "back",
+                     to == WindowView::Lesson ? "go back to the lesson" : "go back to the view before",
+                     [this, to](const Key&) {
+                       switchTo(to);
+                       came_.reset();
                      }});
+  }
   add('u', "undo", "undo, redo", [this] { undo(); });
   add('U', "", "undo, redo", [this] { done(work_.redo(), "redo"); });
   add('r', "reset", "reset the set-up", [this] {

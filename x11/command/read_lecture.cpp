@@ -10,7 +10,8 @@
 #include "geometry/files/data_folder.h"
 #include "geometry/files/text_file.h"
 #include "shading/scene/json_text.h"
-#include "x11/command/ready_scene.h"
+#include "x11/app/ready_scene.h"
+#include "x11/app/work.h"
 #include "x11/command/write_lesson.h"
 #include "x11/options/shell_words.h"
 
@@ -79,7 +80,7 @@ Page readPage(const Node& node, const std::filesystem::path& folder) {
   } catch (const std::system_error& e) {
     node.at("show").fail(e.what());
   }
-  page.setup = {.picture = options.picture, .fill = options.fill, .show = options.show};
+  page.setup = setupOf(options);
   return page;
 }
 

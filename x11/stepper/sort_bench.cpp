@@ -68,6 +68,12 @@ KeyTable SortBench::ownKeys() {
   }
   for (int k = 0; view.numbered && k < kStops; ++k)
     add(static_cast<char>('1' + k), "tick a box", "tick a box", "", [this, k] { player_.toggle(k); });
+  const bool names = view.own && view.own->naming;
+  for (const char digit :
+       std::string_view{"1234567890"})  // the digits of the other views wait for the next key
+    if (view.numbered || names)
+      append(table, {{.keys = {digit},
+                      .off = names ? "There are five tests, 1 to 5." : "There are six boxes, 1 to 6."}});
 
   const bool rests = run() && !view.playing;
   appendTransportKeys(
