@@ -383,13 +383,13 @@ TEST(Workbench, OpensAPictureThatCarriesItsSetup) {
   const Palette palette{};
   const IndexImage image{8, 8, 0};
   std::ofstream{folder.file("one.png"), std::ios::binary}
-      << encodePng(image, palette, "xnewell draw cubes --shade=gouraud --size=8x8");
+      << encodePng(image, palette, "xnewell draw cubes --size 8x8 --shade phong -o picture.png");
   b.type("e");
   for (int k = 0; k < 10; ++k) b.press({NamedKey::Backspace});
   b.type(folder.file("one.png"));
   b.does({NamedKey::Return});
   EXPECT_EQ(b.scene().name, "cubes");
-  EXPECT_EQ(b.setup().picture.shading, Shading::Gouraud);
+  EXPECT_EQ(b.setup().picture.shading, Shading::Phong);
 }
 
 // Esc goes back to the view from which one came, once.

@@ -175,7 +175,6 @@ TEST(PixelBench, AQuestionEndsWithItsPage) {
     }
     b.finish();
     EXPECT_FALSE(b.isAsking());
-    b.does(NamedKey::Escape);
     EXPECT_TRUE(b.bench().inspected());
   }
 }

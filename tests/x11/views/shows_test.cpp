@@ -88,7 +88,8 @@ TEST(Shows, MarksOfTheScene) {
                          z + R"(], "color": [1, 1, 1], "size": 24}],
       "lines": [{"points": [[-1.5, 0, )" +
                          z + R"(], [1.5, 0, )" + z + R"(]], "color": [1, 1, 1]}],
-      "objects": [{"polygons": [[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]]}]})");
+      "objects": [{"polygons": [[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]],
+        [[-1.9, -1.9, 1], [-1.8, -1.9, 1], [-1.9, -1.8, 1]]]}]})");
     PictureSettings s = scene.settings;
     s.width = 200, s.height = 200;
     s.camera = completed({}, scene.camera);
@@ -103,10 +104,10 @@ TEST(Shows, MarksOfTheScene) {
         }
     return std::pair{line, label};
   };
-  const auto [before, letter] = drawn("0.05");
+  const auto [before, letter] = drawn("0.5");
   EXPECT_NEAR(before, 150, 8);
   EXPECT_GT(letter, 10);
-  const auto [behind, none] = drawn("-0.05");
+  const auto [behind, none] = drawn("-0.5");
   EXPECT_NEAR(behind, 50, 8);
   EXPECT_EQ(none, 0);
 }
