@@ -153,7 +153,7 @@ TEST(SceneFile, ComplaintsOfEachPart) {
   EXPECT_EQ(shading(R"("method": "Gouraud")"),
             "s.json: shading.method: 'Gouraud' is not one of none, depth, flat, gouraud, phong, envmap");
   EXPECT_EQ(shading(R"("normals": 3)"),
-            "s.json: shading.normals: '3' is not one of sum, distinct, area, angle, exact");
+            "s.json: shading.normals: '3' is not one of sum, distinct, area, angle, exact, file");
   EXPECT_EQ(shading(R"("shade": "flat")").substr(0, 36), "s.json: shading: unknown key 'shade'");
   EXPECT_EQ(shading(R"("crease": 181)"), "s.json: shading.crease: a number from 0 to 180 is needed");
   EXPECT_EQ(shading(R"("dither": 1)"), "s.json: shading.dither: true or false is needed");
