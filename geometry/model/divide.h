@@ -29,9 +29,6 @@ struct ConvexParts {
   /// #parts, or empty before: the plane of the corners of the part, or of its planar face, alone. An index
   /// into `planes`. It is another than `plane` where the part shares that one with other faces.
   std::vector<int> own;
-  /// The faces whose corners no plane explains, and those whose outline crosses itself: people rarely mean
-  /// them.
-  std::vector<int> bent, crossing;
 
   [[nodiscard]] int count() const { return static_cast<int>(face.size()); }
   [[nodiscard]] std::span<const int> part(int k) const {
