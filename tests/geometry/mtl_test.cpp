@@ -19,7 +19,9 @@ TEST(Mtl, GivesColorsByName) {
       {"plain", {{1, 1, 1}, "", 0}},         {"loud", {{1, 0, 0}, "", 0}},
       {"odd", {{1, 1, 1}, "", 0}},           {"twice", {{0, 0, 1}, "my own.png", 19}}};
   EXPECT_EQ(library.materials, expected);
-  EXPECT_EQ(library.notes, std::vector<std::string>{"a.mtl: the program does not use Ka"});
+  EXPECT_EQ(library.notes,
+            (std::vector<std::string>{"a.mtl:12: Kd 2 is read as 1: a colour has numbers from 0 to 1",
+                                      "a.mtl: the program does not use Ka"}));
   EXPECT_TRUE(parseMtl("", "a.mtl").materials.empty());
 }
 
