@@ -66,8 +66,9 @@ KeyTable Workbench::generalKeys() {
     done(work_.setup != work_.defaults, "reset");
     change('r', [this](Setup& s) { s = work_.defaults; });
   });
-  add('w', "save", "save the set-up as a scene file", [this] { askToSave(); });
-  add('e', "", "open a scene", [this] { askToOpen(); });
+  const char* const files = "save the set-up as a scene file; open a scene, or a picture";
+  add('w', "save", files, [this] { askToSave(); });
+  add('e', "", files, [this] { askToOpen(); });
   add('C', "", "print and copy the finding, the table and their command", [this] { copyCommand(); });
   add('I', "", "write a picture; from views 1 and 2 also a figure", [this] { writePicture(); });
   const char* const full = "fill the screen, in letters as large as fit, or go back";

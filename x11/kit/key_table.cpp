@@ -84,6 +84,9 @@ void append(KeyTable& table, KeyTable more) {
       const KeyRow* const before = rowOf(table, key);
       return before != nullptr && !before->idle;
     });
+    for (KeyRow& before : table)
+      if (before.idle) std::erase_if(before.keys, [&](const Key& key) { return hasKey(row, key); });
+    std::erase_if(table, [](const KeyRow& before) { return before.idle && before.keys.empty(); });
     if (gesture || !row.keys.empty()) table.push_back(std::move(row));
   }
 }
