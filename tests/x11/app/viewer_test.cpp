@@ -85,6 +85,11 @@ TEST(Viewer, TakesTheLetterOfAnotherGroup) {
   std::array<KeySym, 4> er{XK_Cyrillic_er, XK_Cyrillic_ER, XK_h, XK_H};
   const KeyCode h = XKeysymToKeycode(viewer.window.display(), XK_h);
   XChangeKeyboardMapping(viewer.window.display(), h, 4, er.data(), 1);
+  XSync(viewer.window.display(), False);
+  XEvent changed{};  // so that this test finds the keys of the letters, too
+  changed.xmapping.type = MappingNotify, changed.xmapping.display = viewer.window.display();
+  changed.xmapping.request = MappingKeyboard, changed.xmapping.first_keycode = h, changed.xmapping.count = 1;
+  XRefreshKeyboardMapping(&changed.xmapping);
   viewer.window.press(XK_Cyrillic_er, true);
   EXPECT_TRUE(viewer.window.comesToShow(amber, kSeen));
   viewer.window.press(XK_Caps_Lock);
