@@ -294,18 +294,20 @@ std::string Explainer::sentence(const Event& e, int splits, bool swapped) const 
   switch (e.kind) {
     case Event::Kind::Take:
       if (fragments_.isPiece(e.P))
-        return filled("Take: {P}, a piece of {Q}, is the first in the list and becomes P.", P,
+        return filled("Take: {P}, a piece of {Q}, is the first in the list; it becomes P and gets a mark.", P,
                       name(fragments_.parent(e.P)));
-      return filled(textbook_ ? "Take: {P} reaches farthest back of all polygons that are left; it becomes P."
-                              : "Take: {P} is the first in the list and becomes P.",
+      return filled(textbook_ ? "Take: {P} reaches farthest back of all polygons that are left; it becomes P "
+                                "and gets a mark."
+                              : "Take: {P} is the first in the list; it becomes P and gets a mark.",
                     P, Q);
     case Event::Kind::Compare:
       return sentence(e, e.test);
     case Event::Kind::Move:
       return filled("Move: {Q} is moved to the far end of the list, marked, and becomes P.", P, Q);
     case Event::Kind::Cycle:
-      return filled("Cycle: {Q} should come before {P}, but it is already marked: the order is a cycle.", P,
-                    Q);
+      return filled(
+          "Cycle: {Q} should come before {P}, but it has a mark from when it became P: the order is a cycle.",
+          P, Q);
     case Event::Kind::Impossible:
       return filled("Cut impossible: {P} lies on one side of the plane of {Q}.", P, Q);
     case Event::Kind::Vain:

@@ -1,7 +1,9 @@
 #include "depthsort/record/fragments.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <string_view>
 
 namespace xnewell {
 
@@ -66,7 +68,12 @@ std::string Fragments::path(int id) const {
 
 const std::string& Fragments::group(int id) const { return mesh_->groupNames[mesh_->group[face(id).number]]; }
 
-bool Fragments::hasName(int id) const { return !group(id).empty() && facesNamed_.at(group(id)) == 1; }
+bool Fragments::hasName(int id) const {
+  constexpr std::array<std::string_view, 4> kRoles{"P", "Q", "p",
+                                                   "q"};  // sentences have them for other things
+  const std::string& name = group(id);
+  return !name.empty() && std::ranges::find(kRoles, name) == kRoles.end() && facesNamed_.at(name) == 1;
+}
 
 std::string Fragments::name(int id) const {
   const std::string name = hasName(id) ? shortened(group(id)) : "face " + std::to_string(face(id).number);

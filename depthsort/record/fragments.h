@@ -27,10 +27,10 @@ class Fragments {
   [[nodiscard]] Region region(int id) const;
   [[nodiscard]] Extents extents(int id) const;
 
-  /// The name of a fragment. For a face it is the group's name if no other face has that group, otherwise
-  /// `face 12`. The second convex part of a divided face is `face 12.2`. The pieces of a face are `face 12a`
-  /// behind the plane that split it and `face 12b` in front; their pieces add letters: `face 12ba`. After a
-  /// name that ends in a letter a point comes first: `bar.a`.
+  /// The name of a fragment. For a face it is the group's name if no other face has that group and it is not
+  /// that of a role, P or Q, otherwise `face 12`. The second convex part of a divided face is `face 12.2`.
+  /// The pieces of a face are `face 12a` behind the plane that split it and `face 12b` in front; their pieces
+  /// add letters: `face 12ba`. After a name that ends in a letter a point comes first: `bar.a`.
   [[nodiscard]] std::string name(int id) const;
   /// True if the fragment is named by its group.
   [[nodiscard]] bool hasName(int id) const;

@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <utility>
 
+#include "geometry/exact/unit.h"
 #include "geometry/files/parse_error.h"
 
 namespace xnewell {
@@ -20,7 +21,10 @@ void IndexedFaces::add(std::span<const int> corners, const std::optional<glm::dv
     if (material == static_cast<int>(mesh.materials.size()))
       mesh.materials.push_back({.name = "", .diffuse = c});
   }
-  mesh.addFace(corners, 0, material, mesh.uv.empty() ? std::span<const int>{} : corners);
+  ofCorners_.clear();
+  if (!normals.empty())
+    for (const int corner : corners) ofCorners_.push_back(unit(normals[corner]));
+  mesh.addFace(corners, 0, material, mesh.uv.empty() ? std::span<const int>{} : corners, ofCorners_);
 }
 
 Mesh IndexedFaces::take(const std::string& name, double rounding) {

@@ -17,6 +17,8 @@ class IndexedFaces {
  public:
   /// The coordinates and, where a file has them, one texture coordinate for each point (all or none).
   Mesh mesh;
+  /// One for each point, of any length, or none. Those without a direction count as none.
+  std::vector<glm::dvec3> normals;
 
   /// Adds a face, or only counts it if it has fewer than three corners: some writers store edges and points
   /// as such faces. The corners are valid indices. Channels of the colour beyond [0, 1] are clamped.
@@ -30,6 +32,7 @@ class IndexedFaces {
   static constexpr std::size_t kMostColors = 256;
 
  private:
+  std::vector<glm::dvec3> ofCorners_;  ///< of the current face; a member to reuse its memory
   std::map<std::array<double, 3>, int> materials_;
   int small_ = 0;  ///< faces with fewer than three corners
 };

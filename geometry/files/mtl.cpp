@@ -44,14 +44,21 @@ bool isNumber(std::string_view word) {
   return std::from_chars(word.data(), end, value).ptr == end;
 }
 
-/// Reads the components after `Kd` or `Ks`. A missing green or blue equals the red.
-glm::dvec3 readColor(Words& words, std::string_view key) {
+/// Reads the components after `Kd` or `Ks`. A missing green or blue equals the red. The first that is outside
+/// of 0 to 1 is noted.
+glm::dvec3 readColor(Words& words, std::string_view key, const std::string& name, std::string& outside) {
   glm::dvec3 color{1.0};
   for (int channel = 0; channel < 3; ++channel) {
     const std::string_view word = words.next();
     if (channel == 0 && (word == "spectral" || word == "xyz")) return color;
     if (channel == 0 && word.empty()) words.fail(std::string{key} + " needs a colour");
-    color[channel] = word.empty() ? color.r : std::clamp(toNumber(words, word), 0.0, 1.0);
+    const double value = word.empty() ? color.r : toNumber(words, word);
+    color[channel] = std::clamp(value, 0.0, 1.0);
+    if (outside.empty() && value != color[channel])
+      outside = ParseError{name, words.line(),
+                           std::string{key} + ' ' + std::string{word} + " is read as " +
+                               (value > 1.0 ? "1" : "0") + ": a colour has numbers from 0 to 1"}
+                    .what();
   }
   return color;
 }
@@ -105,6 +112,7 @@ MtlLibrary parseMtl(std::string_view text, const std::string& name) {
   MtlLibrary library;
   MtlMaterial* current = nullptr;
   std::set<MtlMaterial*> matte;  // without a highlight
+  std::string outside;
   LeftOut leftOut;
   Words words{text, name};
   while (words.nextLine()) {
@@ -113,9 +121,9 @@ MtlLibrary parseMtl(std::string_view text, const std::string& name) {
       current = &library.materials.insert_or_assign(words.rest(), MtlMaterial{}).first->second;
       matte.erase(current);
     } else if (key == "Kd" && current) {
-      current->Kd = readColor(words, key);
+      current->Kd = readColor(words, key, name, outside);
     } else if (key == "Ks" && current) {
-      current->Ks = readColor(words, key);
+      current->Ks = readColor(words, key, name, outside);
     } else if (key == "Ns" && current) {
       current->Ns = readExponent(words);
     } else if (key == "illum" && current) {
@@ -136,6 +144,7 @@ MtlLibrary parseMtl(std::string_view text, const std::string& name) {
       leftOut.add(key);
     }
   }
+  if (!outside.empty()) library.notes.push_back(outside);
   for (MtlMaterial* const m : matte) m->Ks = glm::dvec3{0.0};
   if (const std::string what = leftOut.sentence(); !what.empty())
     library.notes.emplace_back(ParseError{name, 0, what}.what());

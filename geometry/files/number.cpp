@@ -51,7 +51,8 @@ bool isAtLeastOne(std::string_view number) {
 
 }  // namespace
 
-double toNumber(const Words& words, std::string_view word) {
+double toNumber(const Words& words, std::string_view word, bool mayBe) {
+  if (mayBe && word.find('#') != word.npos) return NAN;  // -1.#IND of an old writer
   const std::string_view number = withoutPlus(word);
   const char* const end = number.data() + number.size();
   double value = 0.0;
@@ -61,7 +62,7 @@ double toNumber(const Words& words, std::string_view word) {
     if (isAtLeastOne(number)) words.fail("number " + inQuotes(word) + " is too large");
     return number.starts_with('-') ? -0.0 : 0.0;
   }
-  if (!std::isfinite(value)) words.fail("number " + inQuotes(word) + " is not finite");
+  if (!mayBe && !std::isfinite(value)) words.fail("number " + inQuotes(word) + " is not finite");
   return value;
 }
 

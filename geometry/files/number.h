@@ -11,9 +11,9 @@ namespace xnewell {
 /// The number that a word stands for: the double nearest to its decimal value, subnormals included. A value
 /// nearer to 0 than to any other double is read as 0. The word is decimal, with an optional sign, point and
 /// exponent: `-1.25`, `+2`, `1.`, `.5`, `1e3`. The locale has no effect.
-/// Throws ParseError with the current line of `words` for anything else, for NaN and infinity, and for
-/// overflow.
-[[nodiscard]] double toNumber(const Words& words, std::string_view word);
+/// Throws ParseError with the current line of `words` for anything else, for overflow, and, unless anything
+/// `mayBe`, for NaN and infinity: some writers leave them in normals.
+[[nodiscard]] double toNumber(const Words& words, std::string_view word, bool mayBe = false);
 
 /// The number of decimals in the text of a well-formed number, trailing zeros included: 3 in `-1.250`, 4 in
 /// `1.5e-3`, 1 in `1.25e1`, -3 in `1e3` but 0 in `1000`. The result is clamped to +-kMaxDecimals.

@@ -4,17 +4,20 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "geometry/exact/power.h"
+#include "geometry/exact/unit.h"
 #include "geometry/files/left_out.h"
 #include "geometry/files/mtl.h"
 #include "geometry/files/number.h"
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
+#include "geometry/files/visible.h"
 
 namespace xnewell {
 
@@ -60,6 +63,8 @@ class ObjReader {
         readVertex();
       else if (key == "vt")
         readTexture();
+      else if (key == "vn")
+        readNormal();
       else if (key == "f")
         readFace();
       else if (key == "g" || key == "o")
@@ -73,6 +78,7 @@ class ObjReader {
     }
     checkForward(points_, mesh_.points.size());
     checkForward(texture_, mesh_.uv.size());
+    takeNormals();
     if (mesh_.uvOfCorner.empty()) mesh_.uv.clear();
     if (mesh_.faceCount() == 0) words_.fail(0, "holds no face");
     mesh_.groupNames = group_.names();
@@ -123,16 +129,43 @@ class ObjReader {
     mesh_.uv.push_back(uv);
   }
 
+  /// A normal without a direction counts as none.
+  void readNormal() {
+    glm::dvec3 N{0.0};
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string_view word = words_.next();
+      if (word.empty()) words_.fail("a normal needs three coordinates");
+      N[axis] = toNumber(words_, word, true);
+    }
+    normals_.push_back(unit(N));
+  }
+
+  /// A face may come before its normals, so they are taken at the end. Without one it can still be shown.
+  void takeNormals() {
+    normalOfCorner_.resize(normalOfCorner_.empty() ? 0 : mesh_.corners.size(), -1);
+    bool lost = false;
+    for (const int k : normalOfCorner_) {
+      const bool there = k >= 0 && k < static_cast<int>(normals_.size());
+      lost = lost || (k >= 0 && !there);
+      mesh_.normals.push_back(there ? normals_[k] : glm::dvec3{0.0});
+    }
+    if (lost) note(0, "faces have normals that the file lacks: there they are computed");
+  }
+
   void readFace() {
     const int line = words_.line();
     face_.clear();
     faceUv_.clear();
     bool textured = false;
+    const std::size_t before = mesh_.corners.size();
     for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
       const Corner corner = readCorner(word);
       face_.push_back(corner.point);
       faceUv_.push_back(corner.uv);
       textured |= corner.uv >= 0;
+      if (corner.normal < 0) continue;
+      normalOfCorner_.resize(before + face_.size(), -1);
+      normalOfCorner_.back() = corner.normal;
     }
     if (face_.size() < 3) {
       words_.fail(line, "a face needs three vertices; this one has " + std::to_string(face_.size()));
@@ -141,22 +174,25 @@ class ObjReader {
     mesh_.addFace(face_, group_.number(), material_.selected().empty() ? -1 : material_.number(), faceUv_);
   }
 
+  static constexpr int kNoNormal = std::numeric_limits<int>::max();  ///< stands for an index before the first
+
   struct Corner {
-    int point, uv;  ///< indices into Mesh::points and Mesh::uv; uv is -1 for no texture coordinate
+    int point, uv, normal;  ///< indices into Mesh::points, Mesh::uv and normals_; -1 for none
   };
 
-  /// Reads one corner of a face. The normal after the second slash is not used, but it must be an index or
-  /// absent.
+  /// Reads one corner of a face.
   Corner readCorner(std::string_view corner) {
     const char* at = corner.data();
     const char* const end = at + corner.size();
-    Corner result{place(readIndex(at, corner), points_, mesh_.points.size()), -1};
+    Corner result{place(readIndex(at, corner), points_, mesh_.points.size()), -1, -1};
     for (int slashes = 1; at != end; ++slashes) {
       if (*at != '/' || slashes > 2) failMalformed(corner);
       ++at;
       if (at == end || *at == '/') continue;
       const int index = readIndex(at, corner);
       if (slashes == 1) result.uv = place(index, texture_, mesh_.uv.size());
+      if (slashes == 2) result.normal = index > 0 ? index - 1 : static_cast<int>(normals_.size()) + index;
+      if (slashes == 2 && result.normal < 0) result.normal = kNoNormal;
     }
     return result;
   }
@@ -225,15 +261,21 @@ class ObjReader {
   /// the line is tried as one name before its words are tried.
   void readLibraries() {
     const std::string names = words_.rest();
-    if (readLibrary(names)) return;
+    if (readLibrary(folder_ / names)) return;
     Words each{names, {}};
     each.nextLine();
-    bool all = true;
-    for (std::string_view name = each.next(); !name.empty(); name = each.next())
-      all = readLibrary(std::string{name}) && all;
-    if (!all && !std::exchange(missing_, true))
-      note(words_.line(),
-           "material library " + inQuotes(names) + " not found; materials defined only there are white");
+    bool any = false;
+    std::string lost;  // the first that is missing
+    for (std::string name{each.next()}; !name.empty(); name = each.next()) {
+      if (readLibrary(namedFile(folder_, name)))
+        any = true;
+      else if (lost.empty())
+        lost = name;
+    }
+    const std::filesystem::path file = namedFile(folder_, any ? lost : names);
+    if (!lost.empty() && !readLibrary(file) && !std::exchange(missing_, true))
+      note(words_.line(), "material library '" + visible(file.string()) +
+                              "' not found; materials defined only there are white");
   }
 
   struct Known {
@@ -241,11 +283,9 @@ class ObjReader {
     std::filesystem::path library;
   };
 
-  /// The index of the material's texture. Some writers separate folders by backslashes.
+  /// The index of the material's texture.
   int textureOf(const Known& known) {
-    std::string map = known.material.map;
-    std::ranges::replace(map, '\\', '/');
-    const std::string file = (known.library.parent_path() / map).string();
+    const std::string file = namedFile(known.library.parent_path(), known.material.map).string();
     std::vector<TextureFile>& all = mesh_.textureFiles;
     const auto same = std::ranges::find(all, file, &TextureFile::file);
     const auto index = static_cast<int>(same - all.begin());
@@ -278,11 +318,10 @@ class ObjReader {
   }
 
   /// Returns false if there is no such file.
-  bool readLibrary(const std::string& name) {
-    const std::filesystem::path file = folder_ / name;
+  bool readLibrary(const std::filesystem::path& file) {
     std::error_code missing;
     if (!std::filesystem::is_regular_file(file, missing)) return false;
-    if (!libraries_.insert(name).second) return true;
+    if (!libraries_.insert(file).second) return true;
     MtlLibrary library = parseMtl(readTextFile(file), file.string());
     for (auto& [material, says] : library.materials)
       known_.try_emplace(material, Known{std::move(says), file});
@@ -299,10 +338,13 @@ class ObjReader {
   NamesInUse group_{kDefaultGroup};
   NamesInUse material_{""};  ///< the empty name stands for no material
   std::map<std::string, Known> known_;
-  bool missing_ = false;             ///< whether a note tells of a missing library
-  std::set<std::string> libraries_;  ///< already read: some writers name the library before every object
+  bool missing_ = false;  ///< whether a note tells of a missing library
+  std::set<std::filesystem::path>
+      libraries_;  ///< already read: some writers name the library before every object
   Indexed points_{"vertices", {}}, texture_{"texture coordinates", {}};
-  std::vector<int> face_, faceUv_;  ///< of the current face; members to reuse their memory
+  std::vector<glm::dvec3> normals_;  ///< every `vn`
+  std::vector<int> normalOfCorner_;  ///< of the corners up to the last that has one, index into normals_
+  std::vector<int> face_, faceUv_;   ///< of the current face; members to reuse their memory
   LeftOut leftOut_;
   RoundingOfNumbers rounding_;
 };

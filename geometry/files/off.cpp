@@ -58,7 +58,6 @@ class OffReader {
     if (const std::string_view edges = words_.next(); !edges.empty()) (void)count(edges, "edges");
     words_.expectEndOfLine();
     if (color_) leftOut_.add("colours of points");
-    if (normal_) leftOut_.add("normals");
   }
 
   int count(std::string_view word, const std::string& of) const {
@@ -96,12 +95,13 @@ class OffReader {
     std::array<double, 9> more;  // a normal, a colour and texture coordinates
     std::size_t read = 0;
     for (word = words_.next(); !word.empty() && read < more.size(); word = words_.next())
-      more[read++] = toNumber(words_, word);
+      more[read] = toNumber(words_, word, normal_ && read < 3), ++read;
     const std::size_t others = (normal_ ? 3 : 0) + (texture_ ? 2 : 0), color = read - others;
     const bool fits = color_ ? read > others && color != 2 && color <= 4 : read == others;
     for (; !word.empty(); word = words_.next()) ++read;
     if (!fits || read > more.size())
       words_.fail("a point of " + kind_ + " does not have " + std::to_string(3 + read) + " numbers");
+    if (normal_) faces_.normals.emplace_back(more[0], more[1], more[2]);
     if (texture_) faces_.mesh.uv.emplace_back(more[read - 2], more[read - 1]);
   }
 

@@ -1,6 +1,7 @@
 #include "geometry/files/ply.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -34,21 +35,24 @@ class PlyReader {
         name_{name} {}
 
   Mesh read() {
-    const PlyElement *const vertex = element("vertex"), *const face = element("face");
+    const PlyElement *const vertex = element("vertex"), *const face = element("face"),
+                            *const strips = element("tristrips");
     for (const PlyElement& e : header_.elements)
-      if (&e != vertex && &e != face) leftOut_.add(e.name);
-    if (!face) {
+      if (&e != vertex && &e != face && &e != strips) leftOut_.add(e.name);
+    if (!face && !strips) {
       const std::string others = leftOut_.sentence();
       words_.fail(0, others.empty() ? "holds no face" : "holds no face; " + others);
     }
     if (!vertex) words_.fail(0, "the header has no element vertex");
-    findUsed(*vertex, *face);
+    findUsed(*vertex);
+    for (const PlyElement* const e : {face, strips})
+      if (e) (void)indicesOf(*e);
     vertexCount_ = vertex->count;
     for (const PlyElement& e : header_.elements) {
       if (&e == vertex)
         readVertices(e);
-      else if (&e == face)
-        readFaces(e);
+      else if (&e == face || &e == strips)
+        readFaces(e, &e == strips);
       else
         readRows(e, {}, [] {});
     }
@@ -79,7 +83,7 @@ class PlyReader {
   }
 
   /// Finds the properties that are used, before any data is read.
-  void findUsed(const PlyElement& vertex, const PlyElement& face) {
+  void findUsed(const PlyElement& vertex) {
     for (const std::string_view axis : {"x", "y", "z"}) {
       const std::vector<int> at = numbersOf(vertex, {axis});
       if (at.empty()) words_.fail(vertex.line, "the element vertex has no number " + std::string{axis});
@@ -88,16 +92,22 @@ class PlyReader {
     uv_ = numbersOf(vertex, {"u", "v"});
     if (uv_.empty()) uv_ = numbersOf(vertex, {"s", "t"});
     if (uv_.empty()) uv_ = numbersOf(vertex, {"texture_u", "texture_v"});
-    indices_ = face.find("vertex_indices");
-    if (indices_ < 0) indices_ = face.find("vertex_index");
-    if (indices_ < 0 || !face.properties[indices_].list)
-      words_.fail(face.line, "the element face has no list vertex_indices");
-    rgb_ = numbersOf(face, {"red", "green", "blue"});
+    normal_ = numbersOf(vertex, {"nx", "ny", "nz"});
+  }
+
+  /// The place of the list of vertices.
+  [[nodiscard]] int indicesOf(const PlyElement& e) const {
+    int at = e.find("vertex_indices");
+    if (at < 0) at = e.find("vertex_index");
+    if (at < 0 || !e.properties[at].list)
+      words_.fail(e.line, "the element " + e.name + " has no list vertex_indices");
+    return at;
   }
 
   void readVertices(const PlyElement& e) {
     std::vector<int> used = xyz_;
     used.insert(used.end(), uv_.begin(), uv_.end());
+    used.insert(used.end(), normal_.begin(), normal_.end());
     readRows(e, used, [&] {
       glm::dvec3 point;
       for (int axis = 0; axis < 3; ++axis) {
@@ -107,26 +117,39 @@ class PlyReader {
       }
       faces_.mesh.points.push_back(point);
       if (!uv_.empty()) faces_.mesh.uv.emplace_back(finite(e, uv_[0]), finite(e, uv_[1]));
+      if (!normal_.empty())
+        faces_.normals.emplace_back(values_[normal_[0]], values_[normal_[1]], values_[normal_[2]]);
     });
   }
 
-  void readFaces(const PlyElement& e) {
-    std::vector<int> used = rgb_;
-    used.push_back(indices_);
+  /// An element is a face, or strips of triangles: each vertex after the first two makes a triangle with the
+  /// two before it, and every second one is turned. An index -1 ends a strip. Two equal corners join strips.
+  void readFaces(const PlyElement& e, bool strips) {
+    const std::vector<int> rgb = numbersOf(e, {"red", "green", "blue"});
+    std::vector<int> used = rgb;
+    used.push_back(indicesOf(e));
     readRows(e, used, [&] {
+      std::optional<glm::dvec3> color;
+      if (!rgb.empty()) {
+        color.emplace();
+        for (int c = 0; c < 3; ++c)
+          (*color)[c] = finite(e, rgb[c]) / (rowOf(e.properties[rgb[c]].number).whole ? 255.0 : 1.0);
+      }
       face_.clear();
       for (const double index : list_) {
+        if (strips && index == -1) {
+          face_.clear();
+          continue;
+        }
         if (index != std::floor(index) || index < 0 || index >= vertexCount_)
           fail("a vertex index is " + shortest(index) + "; vertices: " + std::to_string(vertexCount_));
         face_.push_back(static_cast<int>(index));
+        if (!strips || face_.size() < 3) continue;
+        const int c = face_.back(), odd = face_.size() % 2 == 0, a = face_.rbegin()[2 - odd],
+                  b = face_.rbegin()[1 + odd];
+        if (a != b && b != c && c != a) faces_.add(std::array{a, b, c}, color);
       }
-      std::optional<glm::dvec3> color;
-      if (!rgb_.empty()) {
-        color.emplace();
-        for (int c = 0; c < 3; ++c)
-          (*color)[c] = finite(e, rgb_[c]) / (rowOf(e.properties[rgb_[c]].number).whole ? 255.0 : 1.0);
-      }
-      faces_.add(face_, color);
+      if (!strips) faces_.add(face_, color);
     });
   }
 
@@ -173,7 +196,7 @@ class PlyReader {
     if (text()) {
       word_ = first_.empty() ? words_.next() : std::exchange(first_, {});
       if (word_.empty()) fail("the line of " + which() + " ends early");
-      return used ? toNumber(words_, word_) : 0.0;
+      return used ? toNumber(words_, word_, true) : 0.0;
     }
     const std::size_t bytes = rowOf(id).bytes;
     if (bytes > data_.size() - at_) failShort();
@@ -256,8 +279,8 @@ class PlyReader {
   std::size_t at_ = 0;  ///< of binary data
   Words words_;         ///< of text
   std::string name_;
-  std::vector<int> xyz_, uv_, rgb_;  ///< the places of properties; no uv or no rgb if there is none
-  int indices_ = -1, vertexCount_ = 0;
+  std::vector<int> xyz_, uv_, normal_;  ///< the places of properties; empty if there are none
+  int vertexCount_ = 0;
   const PlyElement* kind_ = nullptr;
   int row_ = 0;                            ///< number of the element in its kind, from 1
   std::string_view first_, word_;          ///< the line's first word until it is read; the last word read

@@ -12,9 +12,10 @@ namespace xnewell {
 /// binary with either byte order.
 ///
 /// Of the element `vertex` it uses x, y and z, and as texture coordinates u and v, s and t, or texture_u and
-/// texture_v. Of the element `face` it uses the list vertex_indices or vertex_index, of any length, and as
-/// the face's colour red, green and blue (IndexedFaces; whole numbers count from 0 to 255, others from 0 to
-/// 1). Mesh::notes names all other properties and elements. Colours of vertices are among them: the
+/// texture_v, and as normals nx, ny and nz. Of the element `face` it uses the list vertex_indices or
+/// vertex_index, of any length, and as the face's colour red, green and blue (IndexedFaces; whole numbers
+/// count from 0 to 255, others from 0 to 1). The element `tristrips` has such lists, too, of strips of
+/// triangles. Mesh::notes names all other properties and elements. Colours of vertices are among them: the
 /// illumination equation has a colour for a surface, none for a vertex. As text, each element stands on a
 /// line of its own.
 ///

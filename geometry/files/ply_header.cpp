@@ -14,14 +14,18 @@ namespace {
 /// not join the next line. Empty if there is no line `end_header`.
 std::string plyHeaderText(std::string_view text) {
   std::string header;
+  // The first line tells how lines end: an LF after the last CR may be data.
+  const std::size_t first = text.find_first_of("\r\n");
+  if (first == text.npos) return "";
+  const char ends = text.substr(first, 2) == "\r\n" ? '\n' : text[first];
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
+    const std::size_t end = std::min(text.find(ends, at), text.size() - 1) + 1;
     const std::string_view line = text.substr(at, end - at);
     const auto is = [&](std::string_view word) {
       return line.starts_with(word) && line.find_first_not_of(" \t\r\n", word.size()) == line.npos;
     };
     if (line.starts_with("comment") || line.starts_with("obj_info")) {
-      header.append(line.size() - 1, ' ') += '\n';
+      header.append(line.size() - 1, ' ') += line.back();
     } else {
       header += line;
       if (is("end_header")) return header;

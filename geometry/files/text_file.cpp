@@ -33,14 +33,19 @@ constexpr auto kMayEndWord = [] {
 
 bool mayEndWord(char c) { return kMayEndWord[static_cast<unsigned char>(c)]; }
 
-bool isBlank(char c) { return mayEndWord(c) && c != '\n' && c != '\\'; }
+/// True for LF, and for a CR that no LF follows.
+bool endsLine(const char* p, const char* end) {
+  return *p == '\n' || (*p == '\r' && (p + 1 == end || p[1] != '\n'));
+}
+
+bool isBlank(const char* p, const char* end) { return mayEndWord(*p) && *p != '\\' && !endsLine(p, end); }
 
 /// The beginning of the next line if a backslash at `p` joins it to this one; otherwise null.
 const char* afterContinuation(const char* p, const char* end) {
   if (*p != '\\') return nullptr;
   ++p;
-  if (p != end && *p == '\r') ++p;
-  return p != end && *p == '\n' ? p + 1 : nullptr;
+  if (end - p > 1 && *p == '\r' && !endsLine(p, end)) ++p;
+  return p != end && endsLine(p, end) ? p + 1 : nullptr;
 }
 
 }  // namespace
@@ -64,6 +69,8 @@ std::string readTextFile(const std::filesystem::path& file, std::size_t most) {
   }
   if (std::ferror(in.get())) throw std::system_error{errno, std::generic_category(), name};
   text.resize(used);
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw ParseError{name, 0, "a text in UTF-16; save it as UTF-8"};
   return text;
 }
 
@@ -92,13 +99,14 @@ bool Words::nextLine() {
 std::string_view Words::next() {
   const char* p = at_;  // a local variable, so that it stays in a register
   for (; p != end_; ++p) {
-    if (isBlank(*p)) continue;
+    if (isBlank(p, end_)) continue;
     const char* const joined = afterContinuation(p, end_);
     if (!joined) break;
     p = joined - 1;
     ++line_;
   }
-  if (p != end_ && *p == '#') p = std::find(p, end_, '\n');
+  if (p != end_ && *p == '#')
+    while (p != end_ && !endsLine(p, end_)) ++p;
   const char* const begin = p;
   while (p != end_ && (!mayEndWord(*p) || (*p == '\\' && !afterContinuation(p, end_)))) ++p;
   at_ = p;
@@ -130,6 +138,18 @@ std::string inQuotes(std::string_view word) {
   constexpr std::size_t kShown = 40;
   const std::string_view begin = beginOf(word, kShown);
   return "'" + visible(begin) + (begin.size() < word.size() ? "...'" : "'");
+}
+
+std::filesystem::path namedFile(const std::filesystem::path& folder, std::string name) {
+  const auto there = [](const std::filesystem::path& file) {
+    std::error_code missing;
+    return std::filesystem::is_regular_file(file, missing);
+  };
+  const std::filesystem::path written = folder / name;
+  std::ranges::replace(name, '\\', '/');
+  const std::filesystem::path file = folder / name, beside = folder / file.filename();
+  if (there(written)) return written;
+  return there(file) || !there(beside) ? file : beside;
 }
 
 }  // namespace xnewell

@@ -12,16 +12,16 @@ inline constexpr std::size_t kMaxTextBytes = 2'147'483'647;
 
 /// Returns the whole file, byte for byte.
 /// Throws as openInput() does (input_file.h), std::system_error if the file cannot be read, and ParseError if
-/// it has more bytes than `most`. The name in the message is the path as given.
+/// it has more bytes than `most` or begins as UTF-16 does. The name in the message is the path as given.
 [[nodiscard]] std::string readTextFile(const std::filesystem::path& file, std::size_t most = kMaxTextBytes);
 
 /// Walks over the lines of a text and the words of a line without copying them. Call `nextLine()`, then
 /// `next()` until it returns an empty word; nextLine() skips the words that are left.
-/// Words are separated by blanks, tabs and the CR of a CR LF. A backslash right before the end of a line
-/// counts as a blank and joins the next line. A word that begins with '#' opens a comment up to the end of
-/// its line. There a backslash joins nothing, because paths in comments can end in one. A '#' inside a word
-/// is part of the word, so that the `1.#INF` of some writers is a malformed number and not a 1. A byte order
-/// mark is skipped.
+/// A line ends with LF, CR LF or CR. Words are separated by blanks and tabs. A backslash right before the end
+/// of a line counts as a blank and joins the next line. A word that begins with '#' opens a comment up to the
+/// end of its line. There a backslash joins nothing, because paths in comments can end in one. A '#' inside a
+/// word is part of the word, so that the `1.#INF` of some writers is a malformed number and not a 1. A byte
+/// order mark is skipped.
 class Words {
  public:
   /// Borrows `text`. Error messages call it `name`. Throws ParseError if it is longer than kMaxTextBytes.
@@ -57,5 +57,10 @@ class Words {
 /// A word of a file, for use in a message: in quotes, cut to 40 bytes, and visible (visible.h), so that a
 /// binary file does no harm to a terminal.
 [[nodiscard]] std::string inQuotes(std::string_view word);
+
+/// The file that a name in a text file of `folder` means. Some writers part folders by backslashes, and some
+/// name places of their own machine. So the name is tried as it is, then with slashes, then its last part in
+/// `folder`. If there is none of these, the result is the second of them.
+[[nodiscard]] std::filesystem::path namedFile(const std::filesystem::path& folder, std::string name);
 
 }  // namespace xnewell

@@ -47,6 +47,9 @@ struct Mesh {
   /// its columns.
   std::vector<glm::dvec2> uv;
   std::vector<int> uvOfCorner;  ///< #corners, index into uv, -1 for none; empty if no corner has any
+  /// The unit normals that the file gives the surface at the corners, #corners by 3; 0 where it gives none.
+  /// Empty if no corner has any.
+  std::vector<glm::dvec3> normals;
   /// The rounding of the input, by group: half a unit of the last decimal of the coordinates in the file, in
   /// world units. It is 0 where the coordinates are exact by definition (points of a Bezier patch). The
   /// vector is empty if all are exact.
@@ -58,18 +61,28 @@ struct Mesh {
   [[nodiscard]] std::span<const int> face(int f) const {
     return {corners.data() + firstCorner[f], corners.data() + firstCorner[f + 1]};
   }
+  /// The part of `normals` for face f.
+  [[nodiscard]] std::span<const glm::dvec3> normalsOf(int f) const {
+    if (normals.empty()) return {};
+    return {normals.data() + firstCorner[f], normals.data() + firstCorner[f + 1]};
+  }
   /// The rounding of the coordinates of face f, in world units.
   [[nodiscard]] double roundingOf(int f) const { return rounding.empty() ? 0.0 : rounding[group[f]]; }
-  /// Appends one face. `faceCorners` has at least three valid indices. `faceUv` has as many (-1 for none), or
-  /// it is empty.
+  /// Appends one face. `faceCorners` has at least three valid indices. `faceUv` (-1 for none) and
+  /// `faceNormals` (0 for none) have as many, or they are empty.
   void addFace(std::span<const int> faceCorners, int groupIndex, int materialIndex = -1,
-               std::span<const int> faceUv = {}) {
+               std::span<const int> faceUv = {}, std::span<const glm::dvec3> faceNormals = {}) {
+    if (!faceNormals.empty()) {
+      normals.resize(corners.size(), glm::dvec3{0.0});
+      normals.insert(normals.end(), faceNormals.begin(), faceNormals.end());
+    }
     if (!faceUv.empty()) {
       uvOfCorner.resize(corners.size(), -1);  // the first face with any: those before it have none
       uvOfCorner.insert(uvOfCorner.end(), faceUv.begin(), faceUv.end());
     }
     corners.insert(corners.end(), faceCorners.begin(), faceCorners.end());
     if (!uvOfCorner.empty()) uvOfCorner.resize(corners.size(), -1);
+    if (!normals.empty()) normals.resize(corners.size(), glm::dvec3{0.0});
     firstCorner.push_back(static_cast<int>(corners.size()));
     group.push_back(groupIndex);
     material.push_back(materialIndex);

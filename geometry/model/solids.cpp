@@ -9,28 +9,6 @@ namespace xnewell {
 
 namespace {
 
-/// The generator splitmix64. The standard generators are portable, but the standard distributions are not.
-/// @see Steele, Lea & Flood 2014
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_{seed} {}
-  /// A multiple of 2^-52 in [-1, 1).
-  double next() {
-    std::uint64_t z = state_ += 0x9E3779B97F4A7C15u;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1.0;
-  }
-  glm::dvec3 nextVector() {
-    // separate statements: the evaluation order of arguments is not fixed
-    const double x = next(), y = next();
-    return {x, y, next()};
-  }
-
- private:
-  std::uint64_t state_;
-};
-
 Mesh emptyMesh(const char* name) {
   Mesh mesh;
   mesh.groupNames = {name};
@@ -112,17 +90,6 @@ glm::dvec3 outward(RoundSolid solid, const glm::dvec3& p) {
   if (solid == RoundSolid::Sphere) return p;
   const glm::dvec3 towards = unit({p.x, p.y, 0.0});
   return towards == glm::dvec3{0.0} ? towards : p - towards;
-}
-
-Mesh triangleSoup(int count, double size, std::uint64_t seed) {
-  Mesh mesh = emptyMesh("soup");
-  Random random{seed};
-  for (int f = 0; f < count; ++f) {
-    const glm::dvec3 centre = random.nextVector();
-    for (int i = 0; i < 3; ++i) mesh.points.push_back(centre + size * random.nextVector());
-    mesh.addFace(std::array{3 * f, 3 * f + 1, 3 * f + 2}, 0);
-  }
-  return mesh;
 }
 
 }  // namespace xnewell

@@ -29,8 +29,4 @@ enum class RoundSolid { Sphere, Torus };
 /// central circle of the torus.
 [[nodiscard]] glm::dvec3 outward(RoundSolid solid, const glm::dvec3& p);
 
-/// `count` triangles, scattered. Their centres are in the cube |x|, |y|, |z| <= 1, and each coordinate of a
-/// corner is within `size` of its centre's. A seed gives the same triangles on every machine.
-[[nodiscard]] Mesh triangleSoup(int count, double size, std::uint64_t seed);
-
 }  // namespace xnewell

@@ -49,7 +49,8 @@ class VertexNormals {
   VertexNormals(const Mesh& mesh, NormalRule rule, double creaseDegrees, std::span<const glm::dvec3> exact)
       : mesh_{mesh},
         rule_{rule},
-        countsEqualOnce_{rule == NormalRule::Distinct || rule == NormalRule::Exact},
+        hasExact_{rule == NormalRule::Exact || rule == NormalRule::File},
+        countsEqualOnce_{rule == NormalRule::Distinct || hasExact_},
         leastCosine_{sinCosDegrees(creaseDegrees).cos - kRoundingOnly},
         leastCosineOfHalf_{sinCosDegrees(creaseDegrees / 2.0).cos},
         exact_{exact} {
@@ -66,8 +67,7 @@ class VertexNormals {
       const std::span<const Corner> corners{listed_.data() + firstListed_[p],
                                             listed_.data() + firstListed_[p + 1]};
       if (corners.empty()) continue;
-      if (rule_ != NormalRule::Exact ||
-          std::ranges::any_of(corners, [&](const Corner& c) { return !isExact(c); }))
+      if (!hasExact_ || std::ranges::any_of(corners, [&](const Corner& c) { return !isExact(c); }))
         collectTerms(corners);
       const std::size_t firstHere = result.vertices.size();
       for (const Corner& c : corners) {
@@ -193,7 +193,7 @@ class VertexNormals {
   }
 
   [[nodiscard]] bool isExact(const Corner& c) const {
-    return rule_ == NormalRule::Exact && !exact_.empty() && exact_[c.corner] != glm::dvec3{0.0};
+    return hasExact_ && !exact_.empty() && exact_[c.corner] != glm::dvec3{0.0};
   }
 
   [[nodiscard]] glm::dvec3 normalAt(const Corner& c) const {
@@ -220,7 +220,7 @@ class VertexNormals {
 
   const Mesh& mesh_;
   NormalRule rule_;
-  bool countsEqualOnce_;
+  bool hasExact_, countsEqualOnce_;
   double leastCosine_, leastCosineOfHalf_;
   std::span<const glm::dvec3> exact_;
   std::vector<FaceNormal> faces_;

@@ -13,7 +13,7 @@ namespace xnewell {
 /// Normals at the corners of faces, of the surface that the faces approximate. Gouraud and Phong shading
 /// interpolate them. @see Gouraud 1971, Foley & van Dam 2e §16.2.2
 
-enum class NormalRule { Sum, Distinct, Area, Angle, Exact };
+enum class NormalRule { Sum, Distinct, Area, Angle, Exact, File };
 struct NormalRow {
   NormalRule id;
   std::string_view name, takes;
@@ -24,6 +24,7 @@ inline constexpr std::array kNormalRules{
     NormalRow{NormalRule::Area, "area", "the same, each weighted by its face's area"},
     NormalRow{NormalRule::Angle, "angle", "the same, each weighted by its face's angle at the vertex"},
     NormalRow{NormalRule::Exact, "exact", "the normals of the patches; without patches as distinct"},
+    NormalRow{NormalRule::File, "file", "the normals that the file has; without them as exact"},
 };
 
 /// A place where the illumination is evaluated: a point, the material of the surface and its normal.
@@ -55,7 +56,8 @@ struct Vertices {
 /// Angle     Every face counts by its interior angle at the corner, seen along the face's normal; it is more
 ///           than 180 degrees at a concave corner. Cutting a flat face changes neither this nor Distinct. If
 ///           successive corners coincide, the first has the angle. @see Thürmer & Wüthrich 1998
-/// Exact     `exact` holds the normals: one unit vector for each corner of the mesh, or 0 if it is unknown.
+/// Exact, File  `exact` holds the normals: one unit vector for each corner of the mesh, or 0 if it is
+/// unknown.
 ///           There, and everywhere if `exact` is empty, Distinct applies.
 ///
 /// At a corner of a face, only those faces take part whose normals are within `creaseDegrees` of the face's

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "shading/color/color_table.h"
 #include "shading/color/rgb_image.h"
@@ -27,15 +26,5 @@ struct Lab {
 /// a difference of exactly half a turn, within rounding, does not count as more than half a turn. @see
 /// Sharma, Wu, Dalal 2005
 [[nodiscard]] double ciede2000(const Lab& p, const Lab& q);
-
-/// Statistics of CIEDE2000 over the pixels that count.
-struct ImageDifference {
-  double mean = 0, largest = 0;  ///< 0 if no pixel counts
-  std::int64_t pixels = 0;
-};
-/// Compares two pictures of the same size pixel by pixel. `counts` holds one byte per pixel; 0 leaves the
-/// pixel out. If `counts` is empty, every pixel counts.
-[[nodiscard]] ImageDifference imageDifference(const RgbImage& p, const RgbImage& q,
-                                              std::span<const std::uint8_t> counts = {});
 
 }  // namespace xnewell

@@ -18,12 +18,11 @@ struct TableRow {
   TableKind id;
   std::string_view name;
   int first;  ///< cell of shade 0; 240 shades fill first..first+239
-  std::string_view holds;
 };
 inline constexpr std::array kTables{
-    TableRow{TableKind::Brief, "brief", 10, "cell i holds (i - 10)/255 of the hue"},
-    TableRow{TableKind::Linear, "linear", 11, "cell i holds (i - 10)/255 of the hue"},
-    TableRow{TableKind::Corrected, "corrected", 11, "cell 11 + j holds I0 r^j of the hue"},
+    TableRow{TableKind::Brief, "brief", 10},
+    TableRow{TableKind::Linear, "linear", 11},
+    TableRow{TableKind::Corrected, "corrected", 11},
 };
 
 /// True if the intensities that the shades stand for are evenly spaced. Then a shade is found by a product

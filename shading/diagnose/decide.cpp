@@ -75,8 +75,7 @@ double Diagnoser::tolerance() const {
 
 bool Diagnoser::applies(const Hypothesis& h) const {
   return (h.applies == nullptr || h.applies(settings_)) &&
-         (h.changes == nullptr || std::ranges::any_of(model_.lights, h.changes)) &&
-         (leftOut_.empty() || h.key != leftOut_);
+         (h.changes == nullptr || std::ranges::any_of(model_.lights, h.changes));
 }
 
 /// How many shades the picture is from a prediction.

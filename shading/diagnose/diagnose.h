@@ -115,10 +115,6 @@ class Diagnoser {
 
   [[nodiscard]] Diagnosis operator()(const HandedIn& picture);
 
-  /// From now on the rows of this key count as unknown; "" for none. It tells what becomes of a mistake that
-  /// is not in the list.
-  void leaveOut(std::string_view key) { leftOut_ = key; }
-
   [[nodiscard]] const Picture& picture() const { return picture_; }
   [[nodiscard]] const std::vector<DiagnosedSample>& samples() const { return samples_; }
   /// What a program shows at a sample; nothing where its order shows no face.
@@ -192,7 +188,6 @@ class Diagnoser {
   std::vector<Read> reads_;  ///< by TurnWay; empty where the outlines do not fit
   Read asHanded_;            ///< not turned
   std::array<std::uint8_t, 3> ground_{};
-  std::string_view leftOut_;
 };
 
 }  // namespace xnewell

@@ -10,8 +10,8 @@
 
 namespace xnewell {
 
-/// A picture that somebody hands in: a PNG file of any kind, a binary PPM or PGM file, or a window dump of
-/// xwd. Nobody promises that such a file is whole, or small.
+/// A picture that somebody hands in: a PNG file of any kind, a PPM, PGM or BMP file, or a window dump of xwd.
+/// Nobody promises that such a file is whole, or small.
 struct HandedIn {
   RgbImage picture;
   /// The cells, where the file has a palette; then `held` is what each holds.

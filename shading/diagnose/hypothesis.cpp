@@ -66,7 +66,7 @@ void addAllowed(std::vector<Hypothesis>& all) {
                   "VN-angle", "N at a vertex", "N at a vertex weighs the faces by angle.",
                   [](W& w) { w.vertex = VertexWay::Angle; }, hasVertices),
               allowed(
-                  "VN-patch", "N at a vertex", "N at a vertex is the normal of the patch.",
+                  "VN-patch", "N at a vertex", "N at a vertex is the normal of the patch or of the file.",
                   [](W& w) { w.vertex = VertexWay::Patch; }, hasVertices),
               allowed(
                   "8-bits", "table", "Stored values are rounded to 8 bits, not to 16.",

@@ -146,7 +146,7 @@ std::vector<glm::dvec3> OtherModel::makeCornerNormals(VertexWay vertex, NormalWa
       settings.normals = NormalRule::Angle;
       break;
     case VertexWay::Patch:
-      settings.normals = NormalRule::Exact;
+      settings.normals = NormalRule::File;
       break;
     default:
       byRule = false;

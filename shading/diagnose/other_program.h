@@ -12,7 +12,7 @@
 namespace xnewell {
 
 /// What a program that works in some way shows at a sample, in doubles, straight from the equation. It shares
-/// no code with illuminate(), lightTerms() or the loops that paint, so each can check the other.
+/// no code with termsOf(), lightTerms() or the loops that paint, so each can check the other.
 
 /// The terms at one place; `rest` is the ambient and the specular term.
 struct LitPlace {

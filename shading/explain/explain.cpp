@@ -163,15 +163,20 @@ Explanation PixelExplainer::operator()(int face, int i, int j) {
   return OnePixel{picture_, equations_, range_, face, i, j}.make();
 }
 
-std::string faceName(const Picture& picture, int face) {
+std::string nameOfFace(const Picture& picture, int face) {
   const SnappedFace& f = picture.snapped().faces[face];
-  const Mesh& mesh = picture.scene().mesh;
   const ConvexParts& parts = picture.scene().parts;
   std::string name = std::to_string(f.number);
   const auto own = std::ranges::equal_range(parts.face, f.number);
   if (own.size() > 1 && !picture.shading().refined())
     name += '.' + std::to_string(f.part - (own.begin() - parts.face.begin()) + 1);
-  const std::string& group = mesh.groupNames[mesh.group[f.number]];
+  return name;
+}
+
+std::string faceName(const Picture& picture, int face) {
+  const Mesh& mesh = picture.scene().mesh;
+  const std::string name = nameOfFace(picture, face);
+  const std::string& group = mesh.groupNames[mesh.group[picture.snapped().faces[face].number]];
   return group.empty() ? name : name + ", " + group;
 }
 

@@ -59,8 +59,10 @@ struct Explanation {
   std::array<int, 3> value{};
 };
 
-/// "1954.2, spout": the number of a face, of the convex part of it, and the name of its group, if it has one.
-/// `face` is an index into snapped().faces.
+/// "1954.2": the number of a face, and of the convex part of it if it has several. `face` is an index into
+/// snapped().faces.
+[[nodiscard]] std::string nameOfFace(const Picture& picture, int face);
+/// "1954.2, spout": with the name of its group, if it has one.
 [[nodiscard]] std::string faceName(const Picture& picture, int face);
 
 /// Explains pixels of one picture, which must outlive it. What all pixels share is prepared once.

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geometry/exact/box.h"
+#include "geometry/exact/scale.h"
 #include "geometry/exact/unit.h"
 #include "geometry/model/bezier.h"
 #include "geometry/model/coplanar.h"
@@ -47,6 +48,10 @@ Case mapped(const Start& start, double scale, const std::function<glm::dvec3(glm
     for (int axis = 0; axis < 3; ++axis)
       if (!std::isfinite(p[axis])) throw ViewError{"the coordinates are out of the range of doubles"};
   }
+  // The map moves a normal as a difference. It is made as long as the places are, so that rounding spares it.
+  const glm::dvec3 zero = map(glm::dvec3{0.0});
+  const double far = std::max(1.0, largest(glm::abs(zero)));
+  for (glm::dvec3& N : mesh.normals) N = unit(map(far * N) - zero);
   for (double& u : mesh.rounding) u = std::ldexp(u, from.exponent) * scale;
   Case moved{makeScene(from.name, std::move(mesh), from.up, from.divisions), start.settings};
   Scene& to = moved.scene;
@@ -117,7 +122,7 @@ Case withLayer(const Start& start, double distance) {
       if (!single.uvOfCorner.empty())
         for (int k = single.firstCorner[f]; k < single.firstCorner[f + 1]; ++k)
           uv.push_back(single.uvOfCorner[k] < 0 ? -1 : single.uvOfCorner[k] + uvs);
-      both.addFace(corners, single.group[f], single.material[f], uv);
+      both.addFace(corners, single.group[f], single.material[f], uv, single.normalsOf(f));
     }
     c.scene.mesh = std::move(both);
     c.scene.patches.clear();

@@ -57,7 +57,7 @@ struct FigureText {
   glm::ivec2 at{0};
   FigureColor color{};
   int size = 12 * kFigureSteps;  ///< of the font, in steps
-  std::string text;              ///< UTF-8, of printable characters of Latin-1
+  std::string text;              ///< UTF-8, of characters that the font has
 };
 
 /// Which edges of the model a figure shows.

@@ -32,6 +32,9 @@ struct ShadeSplit {
                                       const Palette& palette, FigureColors colors = FigureColors::Shades,
                                       const ShadeSplit& split = {}, int strip = kStrip);
 
+/// The lines and labels of the scene that no face of its picture hides, without paths.
+[[nodiscard]] VectorFigure marksOf(const Picture& picture);
+
 /// All that a scene's figures are made of. @throws ViewError, TooManyPieces
 struct FigureStages {
   Picture picture;
@@ -42,7 +45,8 @@ struct FigureStages {
 
   FigureStages(const Scene& scene, const PictureSettings& settings, int tolerance, bool smooth = false);
   [[nodiscard]] VectorFigure figure(FigureColors colors = FigureColors::Shades,
-                                    FigureEdges edges = FigureEdges::None) const;
+                                    FigureEdges edges = FigureEdges::None,
+                                    const FigureColor& edgeColor = {}) const;
 };
 
 }  // namespace xnewell

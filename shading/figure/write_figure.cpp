@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "geometry/files/text_file.h"
 #include "geometry/files/visible.h"
+#include "shading/color/font.h"
 
 namespace xnewell {
 
@@ -67,22 +70,30 @@ std::string escaped(std::string_view text) {
   return xml;
 }
 
-/// A text as PDF and PostScript have it between parentheses, in Latin-1.
-std::string latinOf(const std::string& utf8) {
-  std::string latin;
-  for (std::size_t k = 0; k < utf8.size(); ++k) {
-    auto c = static_cast<unsigned char>(utf8[k]);
-    if (c >= 0xC2 && k + 1 < utf8.size())
-      c = static_cast<unsigned char>((c << 6 | (static_cast<unsigned char>(utf8[++k]) & 0x3F)) & 0xFF);
-    if (c == '(' || c == ')' || c == '\\') latin += '\\';
-    if (c < 0x80) {
-      latin += static_cast<char>(c);
-      continue;
-    }
-    latin += '\\';
-    for (const int shift : {6, 3, 0}) latin += static_cast<char>('0' + (c >> shift & 7));
+/// A text as an area: each pixel of its doubled glyphs is a rectangle, and those beside each other are one.
+FigurePath lettersOf(const FigureText& text) {
+  FigurePath letters{text.color, {}};
+  const auto steps = [&](int halves) {
+    return static_cast<int>(std::lround(halves * text.size / (2.0 * kGlyphHeight)));
+  };
+  int left = 0;
+  for (const char32_t code : codesOf(text.text)) {
+    const DoubledGlyph rows = scale2x(*glyphOf(code));
+    for (int j = 0; j < 2 * kGlyphHeight; ++j)
+      for (int i = 0, end = 0; i < 2 * kGlyphWidth; i = end + 1) {
+        const auto inked = [&](int at) {
+          return at < 2 * kGlyphWidth && (rows[j] >> (2 * kGlyphWidth - 1 - at) & 1);
+        };
+        for (end = i; inked(end);) ++end;
+        if (end == i) continue;
+        const int top = j - 2 * kGlyphAscent;
+        const glm::ivec2 a = text.at + glm::ivec2{steps(left + i), steps(top)},
+                         b = text.at + glm::ivec2{steps(left + end), steps(top + 1)};
+        letters.loops.push_back({a, {b.x, a.y}, b, {a.x, b.y}});
+      }
+    left += 2 * kGlyphWidth;
   }
-  return latin;
+  return letters;
 }
 
 /// "1 .502 0 rg ": three decimals tell all of 256 levels apart.
@@ -190,30 +201,26 @@ std::string pdfOf(const VectorFigure& figure) {
   drawing << "0 0 " << figure.width << " " << figure.height << " re W n\n";
   addPaper(drawing, figure, "rg", "re f");
   drawing << kStep << " 0 0 -" << kStep << " 0 " << figure.height << " cm\n";
-  const Color* last = nullptr;
+  std::optional<Color> last;
   std::vector<const FigurePath*> shadings;
-  for (const FigurePath& path : figure.paths) {
+  const auto fill = [&](const FigurePath& path) {
     if (!path.triangles.empty()) {
       drawing << "/S" << std::ssize(shadings) << " sh\n";
       shadings.push_back(&path);
-      continue;
+      return;
     }
-    if (last == nullptr || *last != path.color) addColor(drawing, path.color, "rg");
-    last = &path.color;
+    if (last != path.color) addColor(drawing, path.color, "rg");
+    last = path.color;
     for (const FigureLoop& loop : path.loops) {
       for (std::size_t k = 0; k < loop.size(); ++k)
         drawing << loop[k].x << " " << loop[k].y << (k == 0 ? " m\n" : " l\n");
       drawing << "h\n";
     }
     drawing << "f\n";
-  }
+  };
+  std::ranges::for_each(figure.paths, fill);
   addStrokes(drawing, figure, "RG", "l");
-  // y points down in the figure, and up in a text.
-  for (const FigureText& text : figure.texts) {
-    addColor(drawing, text.color, "rg");
-    drawing << "BT /F " << text.size << " Tf 1 0 0 -1 " << text.at.x << " " << text.at.y << " Tm ("
-            << latinOf(text.text) << ") Tj ET\n";
-  }
+  for (const FigureText& text : figure.texts) fill(lettersOf(text));
   const std::string contents = drawing.take();
 
   // The bytes above 127 tell programs that the file is not plain text.
@@ -228,10 +235,7 @@ std::string pdfOf(const VectorFigure& figure) {
   begin() << "<</Type/Catalog/Pages 2 0 R>>\nendobj\n";
   begin() << "<</Type/Pages/Kids[3 0 R]/Count 1>>\nendobj\n";
   begin() << "<</Type/Page/Parent 2 0 R/MediaBox[0 0 " << figure.width << " " << figure.height
-          << "]/Resources<<"
-          << (figure.texts.empty() ? ""
-                                   : "/Font<</F<</Type/Font/Subtype/Type1/BaseFont/Helvetica"
-                                     "/Encoding/WinAnsiEncoding>>>>");
+          << "]/Resources<<";
   if (!shadings.empty()) {
     pdf << "/Shading<<";
     for (std::int64_t k = 0; k < std::ssize(shadings); ++k) pdf << "/S" << k << " " << k + 5 << " 0 R";
@@ -265,10 +269,10 @@ std::string epsOf(const VectorFigure& figure) {
       << "0 0 " << figure.width << " " << figure.height << " rectclip\n";
   addPaper(eps, figure, "c", "rectfill");
   eps << "0 " << figure.height << " translate " << kStep << " -" << kStep << " scale\n";
-  const Color* last = nullptr;
-  for (const FigurePath& path : figure.paths) {
-    if (last == nullptr || *last != path.color) addColor(eps, path.color, "c");
-    last = &path.color;
+  std::optional<Color> last;
+  const auto fill = [&](const FigurePath& path) {
+    if (last != path.color) addColor(eps, path.color, "c");
+    last = path.color;
     for (const FigureLoop& loop : path.loops) {
       eps << loop[0].x << " " << loop[0].y << " m\n";
       for (std::size_t k = 1; k < loop.size(); ++k)
@@ -276,17 +280,11 @@ std::string epsOf(const VectorFigure& figure) {
       eps << "h\n";
     }
     eps << "f\n";
-  }
+  };
+  std::ranges::for_each(figure.paths, fill);
   addStrokes(eps, figure, "c", "L");
-  if (!figure.texts.empty())
-    eps << "/Helvetica findfont dup length dict begin{def}forall/Encoding ISOLatin1Encoding def currentdict "
-           "end\n"
-           "/F exch definefont pop\n";
-  for (const FigureText& text : figure.texts) {
-    addColor(eps, text.color, "c");
-    eps << "gsave " << text.at.x << " " << text.at.y << " m 1 -1 scale /F findfont " << text.size
-        << " scalefont setfont (" << latinOf(text.text) << ") show grestore\n";
-  }
+  last.reset();  // a stroke has set another colour
+  for (const FigureText& text : figure.texts) fill(lettersOf(text));
   eps << "grestore end\n%%EOF\n";
   return eps.take();
 }

@@ -99,8 +99,4 @@ class AffineOver {
   double gridOverD_;
 };
 
-[[nodiscard]] inline AffineValue affineOver(const glm::ivec3* p, const std::array<double, 3>& v) {
-  return AffineOver{p}(v);
-}
-
 }  // namespace xnewell

@@ -105,19 +105,41 @@ void addSlopes(Profile& profile, const std::vector<bool>& joined) {
   }
 }
 
+namespace {
+
+/// Intensity and slope of a face at its edge, which is `half` beyond its last sample. The face's own curve
+/// goes on to there with its curvature, so what a smooth steep curve does by itself is no jump and no kink.
+struct AtEdge {
+  double I, slope;
+  /// From the last sample towards the other end of the run.
+  AtEdge(const std::vector<double>& all, int last, int end, double half) : I{all[last]}, slope{0.0} {
+    constexpr int kReach = 4;  // samples over which a slope is measured
+    const int inward = end < last ? -1 : 1, length = std::abs(end - last);
+    const int reach = std::clamp(length / 2, std::min(1, length), kReach);
+    if (reach == 0) return;
+    const auto slopeFrom = [&](int at) { return (all[at] - all[at + inward * reach]) / (-inward * reach); };
+    slope = slopeFrom(last);
+    const double curvature =
+        2 * reach <= length ? (slope - slopeFrom(last + inward * reach)) / (-inward * reach) : 0.0;
+    slope += curvature * -inward * (reach / 2.0);
+    I += -inward * half * slope + curvature * half * half / 2.0;
+    slope += curvature * -inward * half;
+  }
+};
+
+}  // namespace
+
 std::vector<double> bandsOf(const std::vector<double>& I, const std::vector<FaceRun>& runs, double width) {
-  constexpr int kReach = 4;  // samples over which a slope is measured
   std::vector<double> bands;
   for (std::size_t k = 0; k + 1 < runs.size(); ++k) {
     if (!runs[k].joinsNext) continue;
     const int left = runs[k].end - 1, right = runs[k + 1].begin;
-    const int before = std::max(runs[k].begin, left - kReach);
-    const int after = std::min(runs[k + 1].end - 1, right + kReach);
-    const double slopeLeft = (I[left] - I[before]) / (left - before);
-    const double slopeRight = (I[after] - I[right]) / (after - right);
     const double half = (right - left) / 2.0;  // from the outermost samples to the edge between the faces
-    const double jump = (I[right] - slopeRight * half) - (I[left] + slopeLeft * half);
-    if (std::abs(jump) >= kBandJump || std::abs(slopeRight - slopeLeft) * width >= kBandKink)
+    const AtEdge before{I, left, runs[k].begin, half}, after{I, right, runs[k + 1].end - 1, half};
+    const double steep = std::max(std::abs(before.slope), std::abs(after.slope)),
+                 kink = std::abs(after.slope - before.slope);
+    if (std::abs(after.I - before.I) >= std::max(kBandJump, steep) ||
+        (kink * width >= kBandKink && kink >= kBandShare * steep))
       bands.push_back((left + right + 1) / 2.0);
   }
   return bands;

@@ -84,6 +84,15 @@ SurfacePlace TrueSurface::at(int part, int i, int j) const {
     place.uv = parametersOf(place, face);
     place.N = normal(*place.patch, place.uv.x, place.uv.y);
   }
+  if (run < 0 && !mesh.normals.empty()) {
+    glm::dvec3 N{0.0};
+    bool all = true;
+    for (int k = 0; k < 3; ++k) {
+      N += place.share[k] * mesh.normals[place.corner[k]];
+      all = all && mesh.normals[place.corner[k]] != glm::dvec3{0.0};
+    }
+    if (all) place.N = unit(N);
+  }
   if (place.N == glm::dvec3{0.0}) place.N = unit(newellVector(mesh.points, mesh.face(face)));
   return place;
 }

@@ -27,6 +27,8 @@ namespace xnewell {
 ///   interpolated over the triangle in space. Where two corners of a quadrilateral coincide at a pole, the
 ///   pole has every parameter between theirs, and the one on the straight line through the sample counts.
 /// - A face of a sphere or a torus has the normal of that solid at its point nearest to the place.
+/// - A face with normals from its file at all three corners of the triangle has what lies between them, as in
+///   Phong shading.
 /// - Any other face is itself the surface, and has its own normal, by Newell's method over the face as the
 ///   file has it. So has a face whose patch or solid has no normal there.
 /// The distance between the place and the patch is no part of this. It is an error of its own

@@ -63,14 +63,4 @@ IlluminationTerms termsOf(double Ia, double Ip, double fatt, double spot, const 
   return terms;
 }
 
-IlluminationTerms illuminate(double Ia, double Ip, const Light& light, const Reflection& surface,
-                             const glm::dvec3& N, const glm::dvec3& V, const glm::dvec3& P, Form form,
-                             double unitLength) {
-  const bool directional = light.kind == LightKind::Directional;
-  const glm::dvec3 towards = directional ? light.direction : light.position - P;
-  const glm::dvec3 L = unit(towards);  // 0 at the light's own place, which it does not light
-  const double fatt = directional ? 1.0 : attenuation(light, glm::dot(towards, L), unitLength);
-  return termsOf(Ia, Ip, fatt, spotShare(light, L), surface, glm::dot(N, L), specularCosine(form, N, L, V));
-}
-
 }  // namespace xnewell

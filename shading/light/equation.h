@@ -44,13 +44,6 @@ struct IlluminationTerms {
   double I = 0;  ///< ambient + diffuse + specular. It may exceed 1; a picture clamps it
 };
 
-/// The terms at the place P, for one light. Ip is its intensity in this channel; light.Ip is not used. Where
-/// there are several lights, `ambient` counts once. `unit` is the length that 1/d and 1/d^2 take for 1.
-[[nodiscard]] IlluminationTerms illuminate(double Ia, double Ip, const Light& light,
-                                           const Reflection& surface, const glm::dvec3& N,
-                                           const glm::dvec3& V, const glm::dvec3& P, Form form,
-                                           double unit = 1);
-
 /// The terms where both cosines are known: N.L, and the one that `form` chooses.
 [[nodiscard]] IlluminationTerms termsOf(double Ia, double Ip, double fatt, double spot,
                                         const Reflection& surface, double NdotL, double cosine);

@@ -17,6 +17,7 @@ PictureFacts factsOf(const Picture& picture, const PictureSettings& settings) {
           .plan = picture.colors().plan(),
           .highlights = shines,
           .patches = !picture.scene().patches.empty(),
+          .normals = !picture.scene().mesh.normals.empty(),
           .textures = hasTextures(picture.scene())};
 }
 

@@ -33,9 +33,7 @@ Vertices materialVertices(const Mesh& mesh) {
 }  // namespace
 
 Vertices smoothVertices(const Scene& scene, const PictureSettings& settings) {
-  return smoothVertices(
-      scene.mesh, settings.normals, settings.crease,
-      settings.normals == NormalRule::Exact ? exactNormals(scene) : std::vector<glm::dvec3>{});
+  return smoothVertices(scene.mesh, settings.normals, settings.crease, exactNormals(scene, settings.normals));
 }
 
 namespace {

@@ -129,7 +129,7 @@ class Divider {
         if (old.uvOfCorner.empty()) return {};
         return {old.uvOfCorner.data() + old.firstCorner[f], old.uvOfCorner.data() + old.firstCorner[f + 1]};
       }();
-      mesh_.addFace(old.face(f), old.group[f], old.material[f], uv);
+      mesh_.addFace(old.face(f), old.group[f], old.material[f], uv, old.normalsOf(f));
     }
   }
 

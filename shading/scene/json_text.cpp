@@ -24,6 +24,32 @@ struct Progress {
     const auto end = text.begin() + std::max(read - 1, std::ptrdiff_t{0});
     throw Error{file, line + static_cast<int>(std::count(text.begin(), end, '\n')), what};
   }
+  /// Fails where the text is no JSON: at the bracket that is not closed, if the text ends within it or closes
+  /// another one.
+  [[noreturn]] void failAsText() const {
+    std::vector<std::size_t> open;
+    bool quoted = false;
+    const auto last = static_cast<std::size_t>(std::max(read - 1, std::ptrdiff_t{0}));
+    const bool ends = last + 1 >= text.size();
+    for (std::size_t k = 0; k < (ends ? text.size() : last); ++k) {
+      const char c = text[k];
+      if (quoted && c == '\\')
+        ++k;
+      else if (c == '"')
+        quoted = !quoted;
+      else if (!quoted && (c == '{' || c == '['))
+        open.push_back(k);
+      else if (!quoted && (c == '}' || c == ']') && !open.empty())
+        open.pop_back();
+    }
+    if (!quoted && !open.empty()) {
+      const char opener = text[open.back()], at = ends ? ' ' : text[last];
+      if (ends || at == (opener == '{' ? ']' : '}') || (opener == '{' && at == '{'))
+        Progress{text, file, line, static_cast<std::ptrdiff_t>(open.back()) + 1}.fail<NotJson>(
+            std::string{"this "} + opener + " is not closed");
+    }
+    fail<NotJson>("not valid JSON here");
+  }
 };
 
 /// An iterator over the text that records how far it came.
@@ -82,7 +108,7 @@ Node::Json parsed(Progress& progress, Keep keep) {
           return keep(depth, event, parsed);
         });
   } catch (const Node::Json::parse_error&) {
-    progress.fail<NotJson>("not valid JSON here");
+    progress.failAsText();
   } catch (const Node::Json::out_of_range&) {
     progress.fail("a number is too large");
   }

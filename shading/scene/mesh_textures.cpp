@@ -7,6 +7,7 @@
 #include "geometry/files/model_file.h"
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
+#include "geometry/files/visible.h"
 
 namespace xnewell {
 
@@ -58,7 +59,7 @@ void TextureReader::readAll(Mesh& mesh) {
   std::vector<int> numbers;  // of each file, if it is shown
   for (std::size_t k = 0; k < files.size(); ++k) {
     const TextureFile& texture = files[k];
-    const std::string name = inQuotes(std::filesystem::path{texture.file}.filename().string());
+    const std::string name = "'" + visible(texture.file) + "'";
     const auto note = [&](const std::string& what) {
       mesh.notes.emplace_back(ParseError{texture.namedIn, texture.line, "the texture " + name + what}.what());
     };

@@ -113,6 +113,12 @@ class Transform {
       node_.fail("the object is scaled out of range");
     return p;
   }
+  /// A normal, by the inverse and transposed linear part, which keeps it perpendicular to its surface.
+  [[nodiscard]] glm::dvec3 normal(const glm::dvec3& N) const {
+    // Multiplied by the smallest factor, so that no quotient leaves the range of doubles.
+    const glm::dvec3 by = std::min({scale_.x, scale_.y, scale_.z}) / scale_;
+    return unit(turn_ ? *turn_ * (N * by) : N * by);
+  }
   /// The linear part, and what is added.
   [[nodiscard]] glm::dmat3 axes() const {
     glm::dmat3 axes{1.0};
@@ -243,6 +249,7 @@ class Collector {
     }
     if (run.patches.empty()) {
       for (glm::dvec3& p : mesh.points) p = transform(p);
+      for (glm::dvec3& N : mesh.normals) N = transform.normal(N);
       transform.round(mesh);
     }
     const std::optional<int> material = materialOf(node, !mesh.uvOfCorner.empty());
@@ -273,7 +280,7 @@ class Collector {
   /// Tells of which patches or of which round solid it is, if any.
   Mesh meshOf(const Node& node, const Transform& transform, PatchRun& run, RoundRun& round) const {
     std::filesystem::path file;
-    if (node.has("file")) file = folder_ / node.at("file").text();
+    if (node.has("file")) file = namedFile(folder_, node.at("file").text());
     const ModelFileRow* const model = modelFile(file);
     if (node.has("divisions") && (!model || model->polygons))
       node.at("divisions").fail("divisions apply only to the patches of a .bpt file");
@@ -313,8 +320,8 @@ class Collector {
     if (!named.number) {
       named.number = next;
       if (named.texture)
-        named.material.texture =
-            fromFile(*named.texture, [&] { return textures_.read(folder_ / named.texture->text()); });
+        named.material.texture = fromFile(
+            *named.texture, [&] { return textures_.read(namedFile(folder_, named.texture->text())); });
       all_.mesh.materials.push_back(named.material);
     }
     return named.number;
@@ -344,7 +351,7 @@ class Collector {
         for (int& k : uv) k += k < 0 ? 0 : uvs;
       }
       const int own = part.material[f] < 0 ? -1 : part.material[f] + materials;
-      whole.addFace(corners, part.group[f] + groups, material.value_or(own), uv);
+      whole.addFace(corners, part.group[f] + groups, material.value_or(own), uv, part.normalsOf(f));
     }
   }
 

@@ -4,12 +4,16 @@
 #include <cerrno>
 #include <cmath>
 #include <filesystem>
+#include <glm/geometric.hpp>
+#include <span>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "geometry/exact/plane.h"
 #include "geometry/exact/scale.h"
+#include "geometry/exact/unit.h"
 #include "geometry/files/data_folder.h"
 #include "geometry/files/model_file.h"
 #include "geometry/files/parse_error.h"
@@ -51,6 +55,21 @@ void keepUsedPoints(Mesh& mesh) {
   mesh.points = std::move(used);
 }
 
+/// Some files have normals to one side of a face, and its outline to the other. The outline decides which
+/// side is the front, so the normals of a face are turned to where most of them belong.
+void turnNormals(Mesh& mesh) {
+  if (std::ranges::all_of(mesh.normals, [](const glm::dvec3& N) { return N == glm::dvec3{0.0}; }))
+    mesh.normals.clear();
+  for (int f = 0; !mesh.normals.empty() && f < mesh.faceCount(); ++f) {
+    const glm::dvec3 front = unit(newellVector(mesh.points, mesh.face(f)));
+    double along = 0.0;
+    for (const glm::dvec3& N : mesh.normalsOf(f)) along += glm::dot(N, front);
+    if (along < 0.0)
+      for (int k = mesh.firstCorner[f]; k < mesh.firstCorner[f + 1]; ++k)
+        mesh.normals[k] = 0.0 - mesh.normals[k];
+  }
+}
+
 }  // namespace
 
 Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
@@ -71,6 +90,8 @@ Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
   scene.light.unit = std::ldexp(1.0, -scene.exponent);
   for (glm::dvec3& p : scene.mesh.points) p = scaled(p, -scene.exponent);
   for (double& u : scene.mesh.rounding) u = std::ldexp(u, -scene.exponent);
+  turnNormals(scene.mesh);
+  if (!scene.mesh.normals.empty()) scene.settings.normals = NormalRule::File;
   scene.parts = divideFaces(scene.mesh);
   uniteCoplanar(scene.mesh, scene.parts);
   return scene;
@@ -93,8 +114,10 @@ int facesOf(const PatchRun& run) {
   return static_cast<int>(run.patches.size()) * run.divisions * run.divisions;
 }
 
-std::vector<glm::dvec3> exactNormals(const Scene& scene) {
+std::vector<glm::dvec3> exactNormals(const Scene& scene, NormalRule rule) {
   std::vector<glm::dvec3> normals;
+  if (rule == NormalRule::File) normals = scene.mesh.normals;
+  if (rule < NormalRule::Exact) return normals;
   for (const PatchRun& run : scene.patches) {
     normals.resize(scene.mesh.corners.size(), glm::dvec3{0.0});
     std::ranges::copy(cornerNormals(run.patches, run.divisions), normals.begin() + run.firstCorner);
@@ -155,8 +178,85 @@ Scene readAny(const std::string& nameOrFile, int divisions) {
 
 }  // namespace
 
+namespace {
+
+/// True if two edges of a face pass through each other, seen along the axis nearest to its normal; without an
+/// area no axis is the one to look along. Faces of very many corners are not searched: it takes their square.
+bool crossesItself(const Mesh& mesh, int face) {
+  constexpr std::size_t kMost = 100;
+  constexpr double kRounded = 0x1p-40;
+  const std::span<const int> corners = mesh.face(face);
+  const std::size_t n = corners.size();
+  if (n < 4 || n > kMost) return false;
+  std::vector<glm::dvec3> p;
+  for (const int corner : corners) p.push_back(mesh.points[corner] - mesh.points[corners[0]]);
+  glm::dvec3 area{0.0};
+  double longest = 0.0;
+  for (std::size_t k = 1; k < n; ++k) {
+    area += glm::cross(p[k - 1], p[k]);
+    longest = std::max(longest, glm::dot(p[k], p[k]));
+  }
+  const double least = kRounded * longest;
+  const glm::dvec3 N = glm::abs(area);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (largest(N) > least && N[axis] < largest(N)) continue;
+    const auto side = [&](std::size_t a, std::size_t b, std::size_t c) {
+      const glm::dvec3 along = p[b] - p[a], to = p[c] - p[a];
+      const int x = (axis + 1) % 3, y = (axis + 2) % 3;
+      const double turn = along[x] * to[y] - along[y] * to[x];
+      return turn > least ? 1 : turn < -least ? -1 : 0;
+    };
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = i + 2; k < n; ++k) {
+        const std::size_t next = (k + 1) % n;
+        if (side(i, i + 1, k) * side(i, i + 1, next) < 0 && side(k, next, i) * side(k, next, i + 1) < 0)
+          return true;
+      }
+  }
+  return false;
+}
+
+/// Notes the faces that people rarely mean, but for those that stand for a curved surface: those that cross
+/// themselves, and those whose parts lie in several planes.
+void noteOddFaces(Scene& scene) {
+  std::vector<bool> curved(static_cast<std::size_t>(scene.mesh.faceCount()), false);
+  const auto curves = [&](int first, int count) { std::fill_n(curved.begin() + first, count, true); };
+  for (const PatchRun& run : scene.patches) curves(firstFaceOf(scene.mesh, run), facesOf(run));
+  for (const RoundRun& run : scene.rounds) curves(run.firstFace, run.faces);
+  std::vector<int> crossing, bent;
+  const ConvexParts& parts = scene.parts;
+  for (int k = 0; k < parts.count();) {
+    const int face = parts.face[k], first = k;
+    bool onePlane = true;
+    for (; k < parts.count() && parts.face[k] == face; ++k) onePlane &= parts.plane[k] == parts.plane[first];
+    if (curved[static_cast<std::size_t>(face)]) continue;
+    if (crossesItself(scene.mesh, face))
+      crossing.push_back(face);
+    else if (!onePlane)
+      bent.push_back(face);
+  }
+  const auto note = [&](const std::vector<int>& faces, std::string_view one, std::string_view several) {
+    if (faces.empty()) return;
+    const std::string first = "face " + std::to_string(faces.front());
+    scene.mesh.notes.push_back(ParseError{
+        scene.name, 0,
+        faces.size() == 1
+            ? first + std::string{one}
+            : std::to_string(faces.size()) + " faces, the first is " + first + "," +
+                  std::string{
+                      several}}.what());
+  };
+  note(crossing, " crosses itself: where it overlaps itself, it may cover too much or nothing",
+       " cross themselves: where they overlap themselves, they may cover too much or nothing");
+  note(bent, " is bent: its corners lie in no plane, so it is cut into triangles",
+       " are bent: their corners lie in no plane, so they are cut into triangles");
+}
+
+}  // namespace
+
 Scene readScene(const std::string& nameOrFile, int divisions) {
   Scene scene = readAny(nameOrFile, divisions);
+  noteOddFaces(scene);
   if (scene.origin.of.empty()) scene.origin = {.of = nameOrFile, .divisions = divisions};
   return scene;
 }

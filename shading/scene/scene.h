@@ -47,15 +47,14 @@ struct SceneOrigin {
   std::string texture = {};               ///< the file of the texture that wear() applied; "" for none
 };
 
-/// What a scene adds to its objects for figures only: lines and words that have a place in space, in the
-/// units of the mesh.
+/// What a scene adds to its objects: lines and words that have a place in space, in the units of the mesh.
 struct SceneLine {
   std::vector<glm::dvec3> points;
   glm::dvec3 color{0};
   double width = 1;  ///< in pixels
 };
 struct SceneLabel {
-  std::string text;  ///< UTF-8, of printable characters of Latin-1
+  std::string text;  ///< UTF-8, of characters that the font has
   glm::dvec3 at{0};  ///< where it begins, on its base line
   glm::dvec3 color{0};
   double size = 12;  ///< of the font, in pixels
@@ -87,9 +86,9 @@ struct Scene {
 /// True if the lights, surfaces and textures of the scene have no colour, only shades of gray.
 [[nodiscard]] bool isGray(const Scene& scene);
 
-/// The normals of the patches at the corners of the mesh; 0 at corners of other faces. Empty if there are no
-/// patches.
-[[nodiscard]] std::vector<glm::dvec3> exactNormals(const Scene& scene);
+/// The normals that are known at the corners of the mesh: for NormalRule::Exact those of the patches, for
+/// File also those of Mesh::normals; 0 at other corners. Empty if there are none.
+[[nodiscard]] std::vector<glm::dvec3> exactNormals(const Scene& scene, NormalRule rule);
 
 struct BuiltInScene {
   std::string name, shows;

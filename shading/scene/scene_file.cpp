@@ -23,7 +23,7 @@ Scene otherScene(const Node& root, const std::filesystem::path& folder, int divi
   root.expectKeys({"shows", "scene", "divisions", "without", "texture", "camera", "shading"});
   const Node other = root.at("scene");
   if (root.has("divisions")) divisions = root.at("divisions").whole(1, kMaxDivisions);
-  const std::string of = isBuiltIn(other.text()) ? other.text() : (folder / other.text()).string();
+  const std::string of = isBuiltIn(other.text()) ? other.text() : namedFile(folder, other.text()).string();
   if (!isBuiltIn(of) && isSetup(of))
     other.fail(inQuotes(other.text()) + " is itself a set-up of another scene; name that scene");
   Scene scene;
@@ -43,7 +43,7 @@ Scene otherScene(const Node& root, const std::filesystem::path& folder, int divi
     }
   if (root.has("texture")) {
     const Node texture = root.at("texture");
-    scene.origin.texture = (folder / texture.text()).string();
+    scene.origin.texture = namedFile(folder, texture.text()).string();
     try {
       wear(scene, readTexture(scene.origin.texture));
     } catch (const ViewError& e) {

@@ -46,9 +46,9 @@ namespace xnewell {
 ///                 "shines"    a direction, or "look_at" a point, for spot; default: at the scene's centre
 ///                 "inner", "outer" half angles of a spot in degrees (default: 15, 20); "falloff" (default 1)
 ///               Ia + the sum of Ip must not exceed 1 in any channel
-///   "lines"     a list, for figures alone: "points", a list of [x, y, z]; "color" (default: black); "width"
+///   "lines"     a list: "points", a list of [x, y, z]; "color" (default: black); "width"
 ///               in pixels (default: 1). Faces in front hide parts of them
-///   "labels"    a list, for figures alone: "text", which begins "at" [x, y, z]; "color"; "size" in pixels
+///   "labels"    a list: "text", which begins "at" [x, y, z]; "color"; "size" in pixels
 ///               (default: 12). It is there if no face hides that point
 ///   "shading"   the settings at the start; options of the command line override them. The keys are those of
 ///               settingRows(), which describe each setting; "table.i0" is written "table": {"i0"}. "fill"

@@ -1,24 +1,14 @@
 #include "shading/scene/scene_marks.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "geometry/exact/scale.h"
+#include "shading/color/font.h"
 
 namespace xnewell {
 
 namespace {
-
-/// True if all characters are printable ones of Latin-1: what PDF and EPS show without a font file.
-bool isLatin(const std::string& text) {
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    const auto c = static_cast<unsigned char>(text[k]);
-    if (c >= 0x20 && c < 0x7F) continue;
-    if ((c != 0xC2 && c != 0xC3) || k + 1 == text.size()) return false;
-    const auto next = static_cast<unsigned char>(text[++k]);
-    if (next < 0x80 || next > 0xBF || (c == 0xC2 && next < 0xA0)) return false;
-  }
-  return !text.empty();
-}
 
 glm::dvec3 colorOf(const Node& node) {
   return node.has("color") ? node.at("color").color() : glm::dvec3{0.0};
@@ -49,7 +39,9 @@ SceneMarks readMarks(const Node& root, int exponent) {
     const Node node = root.at("labels").item(i);
     node.expectKeys({"text", "at", "color", "size"});
     SceneLabel label{node.at("text").text(), scaled(node.at("at").point(), -exponent), colorOf(node), 12};
-    if (!isLatin(label.text)) node.at("text").fail("a label needs printable characters of Latin-1");
+    const std::u32string codes = codesOf(label.text);
+    if (codes.empty() || std::ranges::count(codes, U'?') != std::ranges::count(label.text, '?'))
+      node.at("text").fail("a label needs characters of Latin-1, Greek or mathematics");
     label.size = sizeOf(node, "size", label.size);
     marks.labels.push_back(std::move(label));
   }

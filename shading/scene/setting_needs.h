@@ -10,7 +10,10 @@ using Facts = const PictureFacts&;
 
 inline bool interpolates(Facts f) { return rowOf(f.settings.shading).interpolates; }
 inline bool creased(Facts f) {
-  return interpolates(f) && (f.settings.normals != NormalRule::Exact || !f.patches);
+  const NormalRule rule = f.settings.normals;
+  const bool known =
+      rule == NormalRule::File ? f.patches || f.normals : rule == NormalRule::Exact && f.patches;
+  return interpolates(f) && !known;
 }
 inline bool gouraud(Facts f) { return f.settings.shading == Shading::Gouraud; }
 inline bool phong(Facts f) { return f.settings.shading == Shading::Phong; }

@@ -71,6 +71,7 @@ PictureFacts factsOf(const PictureSettings& settings) {
           .plan = settings.colors == ColorPlan::Needed ? ColorPlan::OneHue : settings.colors,
           .highlights = settings.light.ks > 0.0,
           .patches = false,
+          .normals = false,
           .textures = false};
 }
 

@@ -56,12 +56,12 @@ struct Field {
 /// The facts that decide whether a setting has an effect.
 struct PictureFacts {
   const PictureSettings& settings;
-  ColorPlan plan;   ///< never Needed: if that was chosen, the plan that the scene needs
-  bool highlights;  ///< true if a surface has ks above 0
-  bool patches, textures;
+  ColorPlan plan;                   ///< never Needed: if that was chosen, the plan that the scene needs
+  bool highlights;                  ///< true if a surface has ks above 0
+  bool patches, normals, textures;  ///< normals: the file has some
 };
-/// The facts of a picture with these settings and a scene that adds none: no patches, no textures, and one
-/// hue if the plan is Needed.
+/// The facts of a picture with these settings and a scene that adds none: no patches, normals or textures,
+/// and one hue if the plan is Needed.
 [[nodiscard]] PictureFacts factsOf(const PictureSettings& settings);
 
 /// The condition under which a setting has an effect.

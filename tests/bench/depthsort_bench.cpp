@@ -17,6 +17,7 @@
 #include "geometry/model/solids.h"
 #include "geometry/view/camera.h"
 #include "tests/bench/triangulated.h"
+#include "tests/support/triangle_soup.h"
 
 /// The bytes in use, and the most since `most` was set. All allocations are counted here.
 static std::size_t inUse = 0, most = 0;

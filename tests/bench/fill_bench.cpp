@@ -13,6 +13,7 @@
 #include "shading/fill/fill.h"
 #include "shading/fill/gouraud.h"
 #include "tests/bench/least.h"
+#include "tests/support/affine_over.h"
 
 namespace xnewell {
 

@@ -19,6 +19,7 @@
 #include "geometry/view/project.h"
 #include "tests/bench/triangulated.h"
 #include "tests/support/normal_error.h"
+#include "tests/support/triangle_soup.h"
 
 namespace xnewell {
 

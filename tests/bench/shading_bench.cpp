@@ -12,6 +12,7 @@
 #include "shading/fill/intensities.h"
 #include "tests/bench/triangulated.h"
 #include "tests/support/full_color_picture.h"
+#include "tests/support/image_difference.h"
 
 namespace xnewell {
 

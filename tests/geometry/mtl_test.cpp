@@ -19,7 +19,9 @@ TEST(Mtl, GivesColorsByName) {
       {"plain", {{1, 1, 1}, "", 0}},         {"loud", {{1, 0, 0}, "", 0}},
       {"odd", {{1, 1, 1}, "", 0}},           {"twice", {{0, 0, 1}, "my own.png", 19}}};
   EXPECT_EQ(library.materials, expected);
-  EXPECT_EQ(library.notes, std::vector<std::string>{"a.mtl: the program does not use Ka"});
+  EXPECT_EQ(library.notes,
+            (std::vector<std::string>{"a.mtl:12: Kd 2 is read as 1: a colour has numbers from 0 to 1",
+                                      "a.mtl: the program does not use Ka"}));
   EXPECT_TRUE(parseMtl("", "a.mtl").materials.empty());
 }
 
@@ -99,6 +101,13 @@ TEST(Mtl, RefusesColorsThatAreNoNumbers) {
   EXPECT_EQ(complaintOf("newmtl a\nNs\n"), "a.mtl:2: Ns needs a number");
   EXPECT_EQ(complaintOf("newmtl a\nNs high\n"), "a.mtl:2: malformed number 'high'");
   EXPECT_EQ(complaintOf("newmtl a\nmap_Kd -s a.png\n"), "a.mtl:2: malformed number 'a.png'");
+}
+
+// A colour beyond 1 is cut off, with a note at its line.
+TEST(Mtl, NotesColorsBeyondOne) {
+  const MtlLibrary library = parseMtl("newmtl a\nKd 80\nKs 0 0 2\n", "a.mtl");
+  ASSERT_EQ(library.notes.size(), 1u);
+  EXPECT_EQ(library.notes.front(), "a.mtl:2: Kd 80 is read as 1: a colour has numbers from 0 to 1");
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -97,10 +97,9 @@ TEST(Obj, ReadsABitOfEverything) {
 // One note names the statements that the program does not use, each once, in the order of the file and with
 // no more of them than a line holds.
 TEST(Obj, NamesWhatItLeavesOut) {
-  EXPECT_THAT(
-      meshOf(kWhole).notes,
-      ElementsAre("a.obj:2: material library 'none.mtl' not found; materials defined only there are white",
-                  "a.obj: the program does not use vn, s, l, p, curv"));
+  EXPECT_THAT(meshOf(kWhole).notes, ElementsAre("a.obj:2: material library 'no such folder/none.mtl' not "
+                                                "found; materials defined only there are white",
+                                                "a.obj: the program does not use s, l, p, curv"));
   std::string many = afterThreeVertices("f 1 2 3\n");
   for (int i = 0; i < 100'000; ++i) many += "k" + std::to_string(i % 50'000) + "\x1b\n";
   EXPECT_THAT(meshOf(many).notes,
@@ -108,15 +107,17 @@ TEST(Obj, NamesWhatItLeavesOut) {
                           "k5\\x1b, k6\\x1b, k7\\x1b, k8\\x1b, k9\\x1b, k10\\x1b, k11\\x1b and others"));
 }
 
-// Line ends make no difference: LF or CR LF, with or without the last one.
+// Line ends make no difference: LF, CR LF or CR, with or without the last one.
 TEST(Obj, DoesNotDependOnLineEnds) {
-  std::string lf, crLf;
+  std::string lf, crLf, cr;
   for (const char c : kWhole) {
     if (c == '\r') continue;
     lf += c;
+    cr += c == '\n' ? '\r' : c;
     crLf += c == '\n' ? "\r\n" : std::string{c};
   }
   expectSame(meshOf(lf), meshOf(kWhole));
+  expectSame(meshOf(cr), meshOf(kWhole));
   expectSame(meshOf(crLf), meshOf(kWhole));
   expectSame(meshOf(crLf + "\r\n"), meshOf(kWhole));
 }
@@ -192,6 +193,23 @@ TEST(Obj, ReadsTextureCoordinates) {
   EXPECT_TRUE(unused.uvOfCorner.empty());
 }
 
+// Corners may have normals that come later, of any length. What is no direction counts as none.
+TEST(Obj, ReadsNormals) {
+  const Mesh mesh = meshOf(afterThreeVertices(
+      "f 1 2 3\nf 1//1 2//4 3\nvn 0 0 2\nvn 0 0 0\nvn nan 0 1\nvn -1.#IND 0 1\nf 1//-4 2//2 3//3\n"));
+  constexpr glm::dvec3 up{0, 0, 1}, none{0};
+  EXPECT_THAT(mesh.normals, ElementsAre(none, none, none, up, none, none, up, none, none));
+  EXPECT_THAT(mesh.notes, testing::IsEmpty());
+  EXPECT_TRUE(meshOf(afterThreeVertices("vn 0 0 1\nf 1 2 3\n")).normals.empty());
+  for (const std::string lost : {"2", "-2"}) {
+    const Mesh lacking = meshOf(afterThreeVertices("vn 0 0 1\nf 1//1 2//" + lost + " 3\n"));
+    EXPECT_THAT(lacking.normals, ElementsAre(up, none, none));
+    EXPECT_THAT(lacking.notes,
+                ElementsAre("a.obj: faces have normals that the file lacks: there they are computed"));
+  }
+  EXPECT_EQ(complaintOf("vn 0 0\n"), "a.obj:1: a normal needs three coordinates");
+}
+
 TEST(Obj, RefusesWrongTextureCoordinates) {
   const auto complaintAfter = [](const std::string& text) {
     return complaintOf(afterThreeVertices("vt 0 0\n" + text));
@@ -237,16 +255,16 @@ TEST(Obj, TakesColorsFromItsLibraries) {
   folder.write("b.mtl", "newmtl red\nKd 0.5 0 0\nnewmtl blue\nKd 0 0 1\n");
   folder.write("my own.mtl", "newmtl my green\nKd 0 1 0\n");
   const std::filesystem::path file = folder.write(
-      "a.obj", afterThreeVertices("f 1 2 3\nusemtl blue\nf 1 2 3\nmtllib none.mtl\nmtllib a.mtl b.mtl\n"
-                                  "mtllib a.mtl\nmtllib my own.mtl\nmtllib .\nusemtl red\nf 1 2 3\n"
-                                  "usemtl unused\nusemtl my  green\nf 1 2 3\nusemtl what\nf 1 2 3\n"
-                                  "usemtl blue\nf 1 2 3\n"));
+      "a.obj",
+      afterThreeVertices("f 1 2 3\nusemtl blue\nf 1 2 3\nmtllib lib\\none.mtl\nmtllib a.mtl C:\\lib\\b.mtl\n"
+                         "mtllib a.mtl\nmtllib .\\my own.mtl\nmtllib .\nusemtl red\nf 1 2 3\n"
+                         "usemtl unused\nusemtl my  green\nf 1 2 3\nusemtl what\nf 1 2 3\n"
+                         "usemtl blue\nf 1 2 3\n"));
   const Mesh mesh = readObj(file);
-  EXPECT_THAT(
-      mesh.notes,
-      ElementsAre(
-          file.string() + ":7: material library 'none.mtl' not found; materials defined only there are white",
-          file.string() + ": no library has the material 'what': it is white"));
+  EXPECT_THAT(mesh.notes, ElementsAre(file.string() + ":7: material library '" +
+                                          (folder.path() / "lib/none.mtl").string() +
+                                          "' not found; materials defined only there are white",
+                                      file.string() + ": no library has the material 'what': it is white"));
   EXPECT_THAT(mesh.material, ElementsAre(-1, 0, 1, 2, 3, 0));
   ASSERT_EQ(mesh.materials.size(), 4u);
   EXPECT_EQ(mesh.materials[0].name, "blue");

@@ -37,9 +37,9 @@ const PlyText kPair{.declared =
 // The three forms of one model are one mesh. Whole numbers and floats keep their bits.
 TEST(Ply, ReadsTheThreeFormsAlike) {
   for (const PlyForm form : {PlyForm::Text, PlyForm::LittleEndian, PlyForm::BigEndian})
-    for (const bool crLf : {false, true}) {
+    for (const char* const lineEnd : {"\n", "\r\n", "\r"}) {
       SCOPED_TRACE(static_cast<int>(form));
-      const Mesh mesh = meshOf(kPair.as(form, crLf));
+      const Mesh mesh = meshOf(kPair.as(form, lineEnd));
       EXPECT_THAT(mesh.points, ElementsAre(glm::dvec3(0, 0, -1.5), glm::dvec3(1, 0, 0), glm::dvec3(1, 1, 0),
                                            glm::dvec3(0, 1, 0), glm::dvec3(3, 4, 0)));
       EXPECT_THAT(mesh.corners, ElementsAre(0, 1, 2, 3, 4, 0, 2));
@@ -102,6 +102,35 @@ TEST(Ply, PassesOverTheRest) {
                 ElementsAre("a.ply: 1 face has fewer than three corners: it is left out",
                             "a.ply: the program does not use edge, vertex.nx, vertex.more, face.flags"));
   }
+}
+
+// Each vertex of a strip makes a triangle with the two before it; those of one strip turn the same way. -1
+// ends a strip, and two equal corners make no triangle.
+TEST(Ply, ReadsStripsOfTriangles) {
+  PlyText ply{.declared =
+                  "element vertex 5\nproperty int x\nproperty int y\nproperty int z\n"
+                  "element tristrips 1\nproperty list int int vertex_indices\n",
+              .values = {},
+              .perLine = {3, 3, 3, 3, 3, 11}};
+  for (int i = 0; i < 15; ++i) ply.values.push_back({'i', double(i % 4)});
+  for (const int v : {10, 0, 1, 2, 3, 3, 4, -1, 4, 1, 0}) ply.values.push_back({'i', double(v)});
+  for (const PlyForm form : {PlyForm::Text, PlyForm::LittleEndian, PlyForm::BigEndian})
+    EXPECT_THAT(meshOf(ply.as(form)).corners, ElementsAre(0, 1, 2, 2, 1, 3, 4, 1, 0));
+}
+
+// Normals of vertices become those of the corners.
+TEST(Ply, ReadsNormals) {
+  PlyText ply{.declared = "element vertex 3\n", .values = {}, .perLine = {6, 6, 6, 4}};
+  for (const char* const name : {"x", "y", "z", "nx", "ny", "nz"})
+    ply.declared += "property float " + std::string{name} + '\n';
+  ply.declared += "element face 1\nproperty list uchar int vertex_indices\n";
+  for (const double v : {0, 0, 0, 0, 0, 2, 1, 0, 0, 0, 3, 0, 0, 1, 0, 0, 0, 0})
+    ply.values.push_back({'f', v});
+  ply.values[17].value = NAN;
+  ply.values.insert(ply.values.end(), {{'B', 3}, {'i', 2}, {'i', 0}, {'i', 1}});
+  for (const PlyForm form : {PlyForm::Text, PlyForm::LittleEndian, PlyForm::BigEndian})
+    EXPECT_THAT(meshOf(ply.as(form)).normals,
+                ElementsAre(glm::dvec3{0.0}, glm::dvec3{0, 0, 1}, glm::dvec3{0, 1, 0}));
 }
 
 // A file cut off at any byte, or with a few wrong bytes, is either read or reported as wrong, with its name.

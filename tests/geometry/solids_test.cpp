@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/exact/plane.h"
+#include "tests/support/triangle_soup.h"
 
 namespace xnewell::THIS_FILE {
 

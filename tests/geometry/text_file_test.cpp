@@ -36,6 +36,7 @@ TEST(Words, DoNotDependOnBlanksAndLineEnds) {
   const auto expected = ElementsAre("1:v", "1:1", "3:f", "3:2");
   EXPECT_THAT(wordsOf("v 1\n\nf 2\n"), expected);
   EXPECT_THAT(wordsOf("v 1\r\n\r\nf 2\r\n"), expected);
+  EXPECT_THAT(wordsOf("v 1\r\rf 2 # x\r"), expected);
   EXPECT_THAT(wordsOf(" \tv\t\t1 \n \nf\v2\f"), expected);
   EXPECT_THAT(wordsOf("\xEF\xBB\xBFv 1\n\nf 2"), expected);
 }
@@ -43,6 +44,7 @@ TEST(Words, DoNotDependOnBlanksAndLineEnds) {
 // A backslash at the end of a line joins the next line to it and separates words. Line numbers still count.
 TEST(Words, JoinContinuedLines) {
   EXPECT_THAT(wordsOf("f 1\\\n2 \\\r\n 3\nf"), ElementsAre("1:f", "1:1", "2:2", "3:3", "4:f"));
+  EXPECT_THAT(wordsOf("f 1\\\r2\rf"), ElementsAre("1:f", "1:1", "2:2", "3:f"));
   EXPECT_THAT(wordsOf("a\\b \\ \\"), ElementsAre("1:a\\b", "1:\\", "1:\\")) << "only at a line's end";
   Words words{"f 1 \\\n 2\ng", "text"};
   ASSERT_TRUE(words.nextLine());
@@ -58,7 +60,7 @@ TEST(Words, LeaveOutComments) {
 
 // The line after the last word is the last line, with or without its own line end.
 TEST(Words, StayOnTheLastLineAtTheEnd) {
-  for (const std::string_view text : {"a\nb\nc", "a\nb\nc\n", "a\nb\nc\r\n"}) {
+  for (const std::string_view text : {"a\nb\nc", "a\nb\nc\n", "a\nb\nc\r\n", "a\rb\rc\r"}) {
     Words words{text, "text"};
     while (words.nextLine()) {
     }
@@ -129,6 +131,15 @@ TEST(ReadTextFile, ReadsRegularFilesOnly) {
   std::filesystem::create_symlink("/dev/zero", zero);
   for (const std::string& file : {pipe, zero})
     EXPECT_EQ(complaint([&] { return readTextFile(file); }), file + ": not a regular file");
+}
+
+// UTF-16 has a name instead of words that no reader knows.
+TEST(ReadTextFile, NamesUtf16) {
+  const TemporaryFolder folder;
+  for (const std::string_view begin : {"\xFF\xFEv", "\xFE\xFF"}) {
+    const std::string file = folder.write("a.obj", std::string{begin} + '\0');
+    EXPECT_EQ(complaint([&] { return readTextFile(file); }), file + ": a text in UTF-16; save it as UTF-8");
+  }
 }
 
 // A file that is too long is refused by its size. This one takes no room on the disk.

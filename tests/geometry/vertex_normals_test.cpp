@@ -207,7 +207,8 @@ TEST(VertexNormals, SizeDoesNotMatter) {
   }
 }
 
-// Exact normals are taken as they are, whatever the crease; where there is none, Distinct.
+// Exact normals, and those of a file, are taken as they are, whatever the crease; where there is none,
+// Distinct.
 TEST(VertexNormals, ExactNormalsWhereThereAre) {
   std::mt19937 rng{3};
   const Mesh mesh = cut(cube(), rng);
@@ -216,7 +217,8 @@ TEST(VertexNormals, ExactNormalsWhereThereAre) {
     exact.push_back(c % 3 ? randomDirection(rng) : glm::dvec3{0.0});
   exact[1] = {-0.0, 1.0, 0.0};
   for (const double crease : {0.0, 180.0}) {
-    const std::vector<glm::dvec3> N = normals(mesh, NormalRule::Exact, crease, exact),
+    const std::vector<glm::dvec3> N = normals(mesh, crease == 0.0 ? NormalRule::File : NormalRule::Exact,
+                                              crease, exact),
                                   distinct = normals(mesh, NormalRule::Distinct, crease);
     for (std::size_t c = 0; c < exact.size(); ++c) EXPECT_EQ(N[c], c % 3 ? exact[c] : distinct[c]);
     EXPECT_EQ(normals(mesh, NormalRule::Exact, crease), distinct);

@@ -1,6 +1,7 @@
 #include "geometry/view/scanline.h"
 #include "shading/fill/affine.h"
 #include "tests/kernels/screen_triangle.h"
+#include "tests/support/affine_over.h"
 
 #include <utility>
 

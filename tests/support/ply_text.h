@@ -21,12 +21,12 @@ struct PlyText {
   std::vector<Value> values;
   std::vector<int> perLine;  ///< of the text: how many values each line has
 
-  [[nodiscard]] std::string as(PlyForm form, bool crLf = false) const {
+  [[nodiscard]] std::string as(PlyForm form, const std::string& lineEnd = "\n") const {
     const char* const name = form == PlyForm::Text           ? "ascii"
                              : form == PlyForm::LittleEndian ? "binary_little_endian"
                                                              : "binary_big_endian";
     std::string out, head = "ply\nformat " + std::string{name} + " 1.0\n" + declared + "end_header\n";
-    for (const char c : head) out += c == '\n' && crLf ? "\r\n" : std::string{c};
+    for (const char c : head) out += c == '\n' ? lineEnd : std::string{c};
     std::size_t line = 0;
     int onLine = 0;
     for (const Value& v : values) {
@@ -34,7 +34,7 @@ struct PlyText {
         char word[40];
         std::snprintf(word, sizeof word, "%.9g", v.value);
         const bool last = ++onLine == (line < perLine.size() ? perLine[line] : -1);
-        out += std::string{word} + (!last ? " " : crLf ? "\r\n" : "\n");
+        out += std::string{word} + (last ? lineEnd : " ");
         if (last) ++line, onLine = 0;
         continue;
       }

@@ -39,7 +39,9 @@ struct Server {
     return settings;
   }
   [[nodiscard]] Setup setupOf(const Options& options) const {
-    return {.picture = fitted(options.picture), .fill = options.fill, .show = options.show};
+    Setup setup = xnewell::setupOf(options);
+    setup.picture = fitted(setup.picture);
+    return setup;
   }
 
   [[nodiscard]] bool gray() const { return colormap.visual().gray(); }

@@ -18,6 +18,7 @@
 #include "x11/server/read_cells.h"
 #include "x11/server/read_visuals.h"
 #include "x11/viewing/viewing_page.h"
+#include "x11/views/shows.h"
 #include "x11/views/views.h"
 
 namespace xnewell {
@@ -128,7 +129,7 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
   const Picture picture = pictures.make(settings, plan[Cell::Well]);
   const Palette palette =
       withEffects(picture.palette(plan, server.colormap.unneeded()), picture, plan, options.effects);
-  shoot({picture, picture.image(), palette, plan, {0, 0, size.x, size.y}});
+  shoot({picture, withMarks(picture, palette), palette, plan, {0, 0, size.x, size.y}});
 }
 
 std::string writeNewPng(const std::string& stem, const std::string& png) {

@@ -49,7 +49,22 @@ constexpr std::array kNamedKeys{
     KeysymRow{XK_F11, XK_F11, NamedKey::F11},
 };
 
-/// Translates a key event: keysyms to named keys, Latin-1 letters to themselves.
+/// The letter of ASCII that a key has in another group of the keyboard's layout; 0 if it has none. So the
+/// keys of the program work while Russian or Greek is written.
+char letterOfOtherGroup(const XKeyEvent& event) {
+  for (int group = 0; group < XkbNumKbdGroups; ++group) {
+    const KeySym symbol = XkbKeycodeToKeysym(event.display, static_cast<KeyCode>(event.keycode), group,
+                                             (event.state & ShiftMask) != 0);
+    if (group == static_cast<int>(XkbGroupForCoreState(event.state)) || symbol <= ' ' || symbol > '~')
+      continue;
+    KeySym lower = symbol, upper = symbol;
+    if ((event.state & LockMask) != 0) XConvertCase(symbol, &lower, &upper);
+    return static_cast<char>(symbol == lower ? upper : lower);
+  }
+  return 0;
+}
+
+/// Translates a key event: keysyms to named keys, letters of ASCII to themselves.
 std::optional<Key> keyOf(XKeyEvent& event) {
   char letter = 0;
   KeySym symbol = NoSymbol;
@@ -58,14 +73,15 @@ std::optional<Key> keyOf(XKeyEvent& event) {
   const auto* const row = std::ranges::find_if(
       kNamedKeys, [&](const KeysymRow& r) { return r.symbol == symbol || r.onKeypad == symbol; });
   if (row != kNamedKeys.end()) return Key{row->name, 0, shift || symbol == XK_ISO_Left_Tab};
-  if (count == 1 && letter > ' ') return Key{NamedKey::Letter, letter, shift};
+  if (count == 0 && (event.state & ControlMask) == 0) letter = letterOfOtherGroup(event);
+  if (letter > ' ') return Key{NamedKey::Letter, letter, shift};
   return std::nullopt;
 }
 
-template <KeySym kWanted>
+template <Key kWanted>
 Bool isKey(Display*, XEvent* event, XPointer) {
-  return event->type == KeyPress && XLookupKeysym(&event->xkey, 0) == kWanted &&
-         (event->xkey.state & (ShiftMask | ControlMask)) == 0;
+  const std::optional<Key> key = event->type == KeyPress ? keyOf(event->xkey) : std::nullopt;
+  return key && key->isSameKeyAs(kWanted);
 }
 
 /// Ends the program: there is no window left to draw into.
@@ -79,6 +95,7 @@ class Viewer {
   Viewer(const Options& options, Scene scene)
       : server_{options, scene},
         scaleIsGiven_{options.gave("--scale")},
+        given_{options.size},
         size_{firstSize(options)},
         canvas_{server_.display.get(),
                 server_.colormap,
@@ -88,7 +105,7 @@ class Viewer {
         bench_{std::move(scene), server_.setupOf(options), forBench()},
         title_{titleOf(bench_.scene())},
         plan_{bench_.plan()} {
-    bench_.scale(scaleIsGiven_ ? options.scale : std::min(usualScale(), largestScale(size_.x, size_.y)));
+    bench_.scale(std::min(scaleIsGiven_ ? options.scale : usualScale(), largestScale(size_.x, size_.y)));
     bench_.resize(size_.x, size_.y);
     if (!options.answers.empty()) bench_.lessons().keepAnswers(options.answers);
     selectResources(display());
@@ -145,14 +162,16 @@ class Viewer {
     return server;
   }
 
-  /// The scale that suits the screen.
+  /// The scale that suits the screen, or the window if its size is given and needs a larger one.
   [[nodiscard]] int usualScale() const {
-    return scaleFor(readResources(display()), screenSize(display()), kMostScale);
+    const int ofScreen = scaleFor(readResources(display()), screenSize(display()), kMostScale);
+    return std::max(ofScreen, given_ ? std::min(given_->x / 960, given_->y / 540) : 1);
   }
   /// Without --size: the usual size at the scale, as far as the screen has room.
   [[nodiscard]] glm::ivec2 firstSize(const Options& options) const {
-    if (options.size || scaleIsGiven_) return windowSize(options);
-    return glm::max(kWindowSize, glm::min(kWindowSize * usualScale(), screenSize(display())));
+    if (options.size) return *options.size;
+    const glm::ivec2 wanted = scaleIsGiven_ ? windowSize(options) : kWindowSize * usualScale();
+    return glm::max(kWindowSize, glm::min(wanted, screenSize(display())));
   }
 
   static std::string titleOf(const Scene& scene) { return "xnewell: " + scene.name; }
@@ -203,8 +222,9 @@ class Viewer {
     if (XCheckTypedEvent(display(), DestroyNotify, &event)) endWithoutWindow();
     if (note.mayEnd && XCheckTypedEvent(display(), ClientMessage, &event) && canvas_.isCloseRequest(event))
       _exit(0);
-    if (note.mayEnd && XCheckIfEvent(display(), &event, isKey<XK_q>, nullptr)) _exit(0);
-    const bool giveUp = note.mayGiveUp && XCheckIfEvent(display(), &event, isKey<XK_Escape>, nullptr);
+    if (note.mayEnd && XCheckIfEvent(display(), &event, isKey<Key{'q'}>, nullptr)) _exit(0);
+    const bool giveUp =
+        note.mayGiveUp && XCheckIfEvent(display(), &event, isKey<Key{NamedKey::Escape}>, nullptr);
     if (giveUp) note.mayGiveUp = false, note.givesUp = true;
     if (seconds == busyFor_ && !giveUp) return false;
     IndexImage box{canvas_.width(), canvas_.height(), plan_[Cell::Paper]};
@@ -343,7 +363,8 @@ class Viewer {
   }
 
   Server server_;
-  bool scaleIsGiven_;  ///< by an option
+  bool scaleIsGiven_;                ///< by an option
+  std::optional<glm::ivec2> given_;  ///< the window's size, by an option
   glm::ivec2 size_;
   Canvas canvas_;
   Selection selection_;

@@ -54,13 +54,6 @@ void Work::divide() {
   pictures = PictureCache{dividedAnew(scene, wanted)};
 }
 
-Setup setupIn(const Scene& scene) {
-  Setup setup{scene.settings, scene.settings.inPixels ? Fill::XFillPolygon : Fill::Scanline};
-  setup.picture.inPixels = false;
-  setup.picture.camera = scene.camera;
-  return setup;
-}
-
 PictureSettings coarse(PictureSettings settings) {
   settings.shading = settings.shading == Shading::Full ? Shading::Full : Shading::Flat;
   settings.order = Order::ZSort;

@@ -45,8 +45,10 @@ class Work {
   char lastChanged_ = 0;               ///< the control of the newest step; its further changes join that step
 };
 
-/// The setup that a scene's file asks for, with defaults for the rest.
-[[nodiscard]] Setup setupIn(const Scene& scene);
+/// The setup that the options of readyScene() ask for.
+[[nodiscard]] inline Setup setupOf(const Options& options) {
+  return {.picture = options.picture, .fill = options.fill, .show = options.show};
+}
 
 /// Settings for a quick picture that still shows where everything is.
 [[nodiscard]] PictureSettings coarse(PictureSettings settings);

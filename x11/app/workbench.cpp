@@ -73,6 +73,7 @@ void Workbench::layOut() {
                      !hasDrawer ? Drawer::Whole
                      : shut_    ? Drawer::Shut
                                 : open);
+  layout_.briefTabs = lecture_ && layout_.roomy && !hasRoomForTitle(layout_, lecture_->title());
 }
 
 void Workbench::fillScreen(std::optional<bool> wish) {
@@ -97,6 +98,7 @@ void Workbench::takeNextScale() {
 
 void Workbench::teach(Lesson lesson, int step) {
   switchTo(WindowView::Lesson);
+  came_.reset();
   lessons_->start(std::move(lesson));
   if (step > 0) lessons_->goTo(step);
 }
@@ -121,23 +123,26 @@ void Workbench::close() {
 }
 
 void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
-  const SceneLight& own = scene().light;
-  if (!own.lights.empty() && (control == 'l' || control == 'p' || control == ']'))
-    return notify("The scene has its own lights, so Ip and the light's direction cannot be changed.");
-  if (own.Ia && (control == 'i' || control == '['))
-    return notify("The scene has its own ambient light, so Ia cannot be changed.");
+  if (const std::string why = ownOfScene(control, scene()); !why.empty()) return notify(why);
   Setup next = work_.setup;
   edit(next);
   if (const std::string_view why = keepFillable(next); !why.empty()) notify(std::string{why});
   if (next == work_.setup) return;
   work_.change(control, next);
   if (!shown_) return;
-  if (const std::string why = whyMoot(control, picture(), next); !why.empty()) notify(why);
+  const std::string why = whyMoot(control, picture(), next);
+  if (const MistakeRow& row = rowOf(next.picture.light.mistake); control == 'E' && why.empty())
+    notify(row.id == Mistake::None ? "The equation is right again."
+                                   : "The equation has a mistake now: " + std::string{row.words} +
+                                         ". E puts in the next one, u takes it back.");
+  if (!why.empty()) notify(why);
 }
 
 void Workbench::switchTo(WindowView view) {
   if (view_ == view) return;
   bench().leave();
+  came_ = view_;
+  if (view_ == WindowView::Lesson && !before_) came_.reset();  // who left it for good does not go back
   view_ = view;
   layOut();
   bench().enter();
@@ -158,6 +163,7 @@ void Workbench::goTo(const WindowPlace& place) {
   if (place.view == WindowView::Viewing) viewing_->begin(place.step, place.vertex.value_or(""));
   sides_->begin(place.beside, place.difference);
   switchTo(place.view);
+  came_.reset();
   layOut();
 }
 
@@ -186,6 +192,11 @@ void Workbench::explain(double x, double y) {
     if (place) pixel_->choose(*place);
   }
   switchTo(WindowView::Pixel);
+}
+
+void Workbench::sortFrom(int step) {
+  stepper_->startAt(step);
+  switchTo(WindowView::DepthSort);
 }
 
 void Workbench::fill(const std::string& polygon) {

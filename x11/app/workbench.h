@@ -168,6 +168,7 @@ class Workbench : public Host {
   void close() override;
   void switchTo(WindowView view) override;
   void explain(double x, double y) override;
+  void sortFrom(int step) override;
   void fill(const std::string& polygon) override;
   void compare(const Setup& B) override;
   void ask(Question question) override { line_.ask(std::move(question)); }
@@ -271,8 +272,9 @@ class Workbench : public Host {
   ViewingBench* viewing_;
   ScanlineBench* scanline_;
   WindowView view_ = WindowView::Picture;
-  int width_ = 0, height_ = 0;  ///< of the window, in pixels
-  int unit_ = 1;                ///< the scale, unless the window fills the screen
+  std::optional<WindowView> came_;  ///< the view before, to which Esc goes back
+  int width_ = 0, height_ = 0;      ///< of the window, in pixels
+  int unit_ = 1;                    ///< the scale, unless the window fills the screen
   bool fillsScreen_ = false, largest_ = false, scaleIsChosen_ = false;
   bool shut_ = false;  ///< the user has put the controls away
   std::string few_;    ///< the keys of the controls that a page of a lecture names; "": all

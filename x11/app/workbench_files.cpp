@@ -1,3 +1,4 @@
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <stdexcept>
@@ -8,6 +9,7 @@
 #include "geometry/files/visible.h"
 #include "shading/figure/make_figure.h"
 #include "shading/figure/write_figure.h"
+#include "x11/app/ready_scene.h"
 #include "x11/app/workbench.h"
 #include "x11/kit/file_question.h"
 #include "x11/kit/one_line.h"
@@ -137,14 +139,17 @@ void Workbench::askToOpen() {
        .take = [this, warned = std::string{}](const std::string& name) mutable -> std::string {
          if (name.empty()) return "Type a name, or press Esc to cancel.";
          try {
-           Scene scene = readScene(name);
-           const Setup setup = setupIn(scene);
-           Work work = workOn(std::move(scene), setup);
+           const std::array arguments{"xnewell", "view", name.c_str()};
+           Options options = parseOptions(static_cast<int>(arguments.size()), arguments.data()).value();
+           if (options.command != Command::View) return "\"xnewell " + name + "\" shows that lesson.";
+           Scene scene = readyScene(options);
+           Work work = workOn(std::move(scene), setupOf(options));
            if (name.ends_with(".json")) work.file = name;
            if (!isSaved() && std::exchange(warned, name) != name)
              return "Your changes are not saved. Press Return again to open this and lose them.";
            before_.reset();
            begin(std::move(work));
+           if (isPicture(name)) goTo(options.window);
          } catch (const std::exception& e) {
            return oneLine(e.what());
          }

@@ -50,18 +50,25 @@ KeyTable Workbench::generalKeys() {
   const auto add = [&](char letter, const char* legend, const char* does, auto act) {
     table.push_back({{letter}, legend, does, [act](const Key&) { act(); }});
   };
-  if (visitsFromLesson())
-    table.push_back({{NamedKey::Escape}, "the lesson", "go back to the lesson", [this](const Key&) {
-                       switchTo(WindowView::Lesson);
+  if (came_ || visitsFromLesson()) {
+    const WindowView to = came_.value_or(WindowView::Lesson);
+    table.push_back({{NamedKey::Escape},
+                     to == WindowView::Lesson ? "the lesson" : "back",
+                     to == WindowView::Lesson ? "go back to the lesson" : "go back to the view before",
+                     [this, to](const Key&) {
+                       switchTo(to);
+                       came_.reset();
                      }});
+  }
   add('u', "undo", "undo, redo", [this] { undo(); });
   add('U', "", "undo, redo", [this] { done(work_.redo(), "redo"); });
   add('r', "reset", "reset the set-up", [this] {
     done(work_.setup != work_.defaults, "reset");
     change('r', [this](Setup& s) { s = work_.defaults; });
   });
-  add('w', "save", "save the set-up as a scene file", [this] { askToSave(); });
-  add('e', "", "open a scene", [this] { askToOpen(); });
+  const char* const files = "save the set-up as a scene file; open a scene, or a picture";
+  add('w', "save", files, [this] { askToSave(); });
+  add('e', "", files, [this] { askToOpen(); });
   add('C', "", "print and copy the finding, the table and their command", [this] { copyCommand(); });
   add('I', "", "write a picture; from views 1 and 2 also a figure", [this] { writePicture(); });
   const char* const full = "fill the screen, in letters as large as fit, or go back";

@@ -49,7 +49,7 @@ void drawFigure(const Options& options, const Scene& scene) {
   doing.reset();
   doing.emplace("joining areas");
   const auto made = [&](FigureColors colors) {
-    VectorFigure figure = stages.figure(colors, options.edges);
+    VectorFigure figure = stages.figure(colors, options.edges, colorOf(options.edgeColor));
     if (!options.paper.empty()) figure.paper = {colorOf(options.paper)};
     figure.note = noteOf(options, stages.picture);
     return figure;

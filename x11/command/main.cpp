@@ -27,11 +27,11 @@
 #include "shading/scene/scene.h"
 #include "shading/scene/settings.h"
 #include "x11/app/key_lists.h"
+#include "x11/app/ready_scene.h"
 #include "x11/app/snapshot.h"
 #include "x11/app/viewer.h"
 #include "x11/command/draw_figure.h"
 #include "x11/command/read_lecture.h"
-#include "x11/command/ready_scene.h"
 #include "x11/command/report.h"
 #include "x11/command/tell_extremes.h"
 #include "x11/command/tell_homework.h"
@@ -52,6 +52,7 @@
 #include "x11/terminal/memory.h"
 #include "x11/terminal/visible_stream.h"
 #include "x11/viewing/viewing_page.h"
+#include "x11/views/shows.h"
 #include "x11/views/views.h"
 #include "x11/visual/x11_error.h"
 #include "x11/window/moot.h"
@@ -79,7 +80,7 @@ void draw(const Options& options, Scene scene, double msRead, const nlohmann::or
   drawing.emplace("writing");
   const Stopwatch watch;
   const Palette palette = withEffects(picture.palette(plan), picture, plan, options.effects);
-  writePictures(options, picture, encodePng(picture.image(), palette, noteOf(options, picture)));
+  writePictures(options, picture, encodePng(withMarks(picture, palette), palette, noteOf(options, picture)));
   times.present = watch.ms();
   drawing.reset();
   report(options, picture, known, times, accuracy);

@@ -10,7 +10,8 @@
 #include "geometry/files/data_folder.h"
 #include "geometry/files/text_file.h"
 #include "shading/scene/json_text.h"
-#include "x11/command/ready_scene.h"
+#include "x11/app/ready_scene.h"
+#include "x11/app/work.h"
 #include "x11/command/write_lesson.h"
 #include "x11/options/shell_words.h"
 
@@ -23,7 +24,7 @@ constexpr int kMostPages = 200;
 
 /// A file beside the lecture, or else one of the working folder, or a built-in name.
 std::string beside(const std::filesystem::path& folder, const std::string& name) {
-  const std::filesystem::path file = folder / name;
+  const std::filesystem::path file = namedFile(folder, name);
   return std::filesystem::is_regular_file(file) ? file.string() : name;
 }
 
@@ -79,7 +80,7 @@ Page readPage(const Node& node, const std::filesystem::path& folder) {
   } catch (const std::system_error& e) {
     node.at("show").fail(e.what());
   }
-  page.setup = {.picture = options.picture, .fill = options.fill, .show = options.show};
+  page.setup = setupOf(options);
   return page;
 }
 

@@ -6,19 +6,19 @@
 #include <string>
 
 #include "geometry/files/visible.h"
-#include "x11/drawing/font.h"
+#include "shading/color/font.h"
 #include "x11/drawing/line_pixels.h"
 
 namespace xnewell {
 
 int textWidth(std::string_view utf8, Voice voice) {
-  return kVoices[static_cast<int>(voice)].pitch * static_cast<int>(latin1(utf8).size());
+  return kVoices[static_cast<int>(voice)].pitch * static_cast<int>(codesOf(utf8).size());
 }
 
 std::string beginningOf(std::string text, int width, Voice voice) {
   constexpr std::size_t kDots = 3;
   const auto letters = static_cast<std::size_t>(std::max(0, width) / kVoices[static_cast<int>(voice)].pitch);
-  if (latin1(text).size() <= letters) return text;
+  if (codesOf(text).size() <= letters) return text;
   if (letters <= kDots) return "";
   std::size_t end = 0;
   for (std::size_t letter = 0; end < text.size(); ++end)
@@ -131,9 +131,9 @@ void Painter::ring(int x, int y, int radius, std::uint8_t cell) {
 int Painter::text(int x, int baseline, std::string_view utf8, std::uint8_t cell, Voice voice) {
   const VoiceRow& how = kVoices[static_cast<int>(voice)];
   const int width = kGlyphWidth * how.scale, top = baseline - kGlyphAscent * how.scale;
-  for (char letter : latin1(utf8)) {
-    if (how.capitals && letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
-    const Glyph& glyph = kFont6x13[static_cast<unsigned char>(letter)];
+  for (char32_t letter : codesOf(utf8)) {
+    if (how.capitals && letter >= 'a' && letter <= 'z') letter -= 'a' - 'A';
+    const Glyph& glyph = *glyphOf(letter);
     DoubledGlyph rows{};
     if (how.scale == 2)
       rows = scale2x(glyph);

@@ -68,7 +68,7 @@ const KeyRow* rowOf(const KeyTable& table, const Key& key) {
 
 bool pressIn(const KeyTable& table, const Key& key, Prompt& prompt) {
   const KeyRow* const row = rowOf(table, key);
-  if (!row) return false;
+  if (!row || row->idle) return false;
   if (row->waits) return true;
   if (!row->off.empty())
     prompt.notify(row->off);
@@ -80,7 +80,13 @@ bool pressIn(const KeyTable& table, const Key& key, Prompt& prompt) {
 void append(KeyTable& table, KeyTable more) {
   for (KeyRow& row : more) {
     const bool gesture = row.keys.empty();
-    std::erase_if(row.keys, [&](const Key& key) { return rowOf(table, key) != nullptr; });
+    std::erase_if(row.keys, [&](const Key& key) {
+      const KeyRow* const before = rowOf(table, key);
+      return before != nullptr && !before->idle;
+    });
+    for (KeyRow& before : table)
+      if (before.idle) std::erase_if(before.keys, [&](const Key& key) { return hasKey(row, key); });
+    std::erase_if(table, [](const KeyRow& before) { return before.idle && before.keys.empty(); });
     if (gesture || !row.keys.empty()) table.push_back(std::move(row));
   }
 }

@@ -23,6 +23,7 @@ struct KeyRow {
   std::string off = {};                      ///< why the keys do nothing now, a sentence; "": they act
   std::string gesture = {};                  ///< "drag, wheel": what the pointer does to the same end
   bool waits = false;  ///< they act on what the next drawing shows, so they do nothing before it
+  bool idle = false;   ///< there is nothing for them to do now: they go on to what all views have
 };
 using KeyTable = std::vector<KeyRow>;
 

@@ -15,11 +15,13 @@ void drawPseudocode(Pen& pen, const Rect& at, int line, std::string_view source,
     if (now) drawFocus(pen, {at.x + 4, y - line + 4, at.width - 4, line});
     if (one.ran == CodeLine::Ran::Before) pen.paint.disc(at.x + 2, y - 4, 2, pen(Cell::Soft));
     const int left = at.x + 10, room = at.width - 10;
-    const bool hasRoom = textWidth(one.text) + 8 + textWidth(one.values) <= room;
-    pen.paint.text(left, y, beginningOf(one.text, room),
-                   pen(one.ran == CodeLine::Ran::Never ? Cell::Soft : Cell::Ink),
-                   now ? Voice::Bold : Voice::Plain);
-    if (hasRoom && !one.values.empty()) pen.boldRight(at.x + at.width, y, one.values);
+    const std::string_view beside = one.values.empty() && one.ours ? "ours" : std::string_view{one.values};
+    const bool hasRoom = textWidth(one.text) + 8 + textWidth(beside) <= room;
+    const Cell cell = one.ours ? Cell::Good : one.ran == CodeLine::Ran::Never ? Cell::Soft : Cell::Ink;
+    pen.paint.text(left, y, beginningOf(one.text, room), pen(cell), now ? Voice::Bold : Voice::Plain);
+    if (hasRoom)
+      pen.paint.textRight(at.x + at.width, y, beside, pen(one.values.empty() ? Cell::Good : Cell::Ink),
+                          one.values.empty() ? Voice::Plain : Voice::Bold);
     y += line;
   }
 }

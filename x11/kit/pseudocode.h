@@ -7,7 +7,8 @@
 
 namespace xnewell {
 
-/// The lines of an algorithm as the book has them, beside a page that steps through it.
+/// The lines of an algorithm beside a page that steps through it: those of the book, and those that this
+/// program adds, which are drawn in another tone and named.
 struct CodeLine {
   enum class Ran {
     Never,   ///< not in this step
@@ -17,6 +18,7 @@ struct CodeLine {
   std::string text;  ///< with two spaces for each level
   Ran ran = Ran::Never;
   std::string values = {};  ///< of its variables
+  bool ours = false;        ///< the book has no such line
 };
 
 /// The key that shows them, on all such pages.

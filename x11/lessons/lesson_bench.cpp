@@ -157,7 +157,7 @@ KeyTable LessonBench::ownKeys() {
     }
     add('2', "open in the stepper", "the step's scene in the stepper", [this] {
       handing_ = true;  // the stepper keeps the lesson's scene
-      host_.switchTo(WindowView::DepthSort);
+      host_.sortFrom(state_.exhibit.stage == Stage::DepthSort ? state_.event : 0);
     });
     add('8', "explain", "the pixel of the named face, or the middle, in view 8", [this] {
       handing_ = true;  // view 8 keeps the lesson's scene, too

@@ -15,8 +15,10 @@ namespace {
 Scene relisted(const Scene& scene, const std::vector<int>& listed) {
   Mesh mesh = scene.mesh;
   mesh.corners.clear(), mesh.firstCorner = {0}, mesh.group.clear(), mesh.material.clear();
+  mesh.normals.clear();
   for (const int face : listed)
-    mesh.addFace(scene.mesh.face(face), scene.mesh.group[face], scene.mesh.material[face]);
+    mesh.addFace(scene.mesh.face(face), scene.mesh.group[face], scene.mesh.material[face], {},
+                 scene.mesh.normalsOf(face));
   Scene again = makeScene(scene.name, std::move(mesh), scene.up);
   again.exponent = scene.exponent;
   again.camera = scene.camera;
@@ -157,7 +159,7 @@ std::shared_ptr<const Scene> SceneShelf::scene(const Node& name, int divisions) 
   const std::string text = name.text();
   std::shared_ptr<const Scene>& found = scenes_[{text, divisions}];
   if (found) return found;
-  const std::filesystem::path file = isBuiltIn(text) ? std::filesystem::path{text} : folder_ / text;
+  const std::filesystem::path file = isBuiltIn(text) ? std::filesystem::path{text} : namedFile(folder_, text);
   if (!isBuiltIn(text) && !std::filesystem::is_regular_file(file))
     name.fail(inQuotes(text) + " is no built-in scene, and no file beside the lesson");
   Scene scene = readScene(file.string(), divisions);

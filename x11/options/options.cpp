@@ -62,8 +62,10 @@ Command takeCommand(std::vector<std::string>& arguments) {
   return row->id;
 }
 
-/// Says in our words what CLI11 found wrong.
-[[noreturn]] void complain(const CLI::App& app, const Options& o, const CLI::ParseError& e) {
+/// Says in our words what CLI11 found wrong. Only the `last` argument can lack a value: another one takes
+/// what follows it.
+[[noreturn]] void complain(const CLI::App& app, const Options& o, const CLI::ParseError& e,
+                           const std::string& last) {
   if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
     std::vector<std::string> extra = app.remaining();
     std::erase(extra, "--");
@@ -78,8 +80,10 @@ Command takeCommand(std::vector<std::string>& arguments) {
     const std::string name = option->get_name();
     if (option->count() > 1 && option->get_items_expected_max() > 0)
       throw UsageError{name + " is given more than once"};
-    if (e.what() == name + ": 1 required  missing") throw UsageError{name + " needs a value"};
   }
+  if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::ArgumentMismatch))
+    if (const CLI::Option* const option = app.get_option_no_throw(last.substr(0, last.find('='))))
+      throw UsageError{option->get_name() + " needs a value"};
   throw UsageError{e.what()};
 }
 
@@ -183,14 +187,17 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
           "also write the face image: 8-bit RGB, face number + 1, 0 where there is no face; figure: also "
           "write the "
           "figure in these colours");
-  r.text("--paper", "figure: the colour behind it, such as #ffffff", "none, so that the page shows",
-         [&](const std::string& s) {
-           if (s.size() != 7 || s[0] != '#' || s.find_first_not_of("0123456789abcdefABCDEF", 1) != s.npos)
-             refuse("--paper", s, "#rrggbb, a colour by six hexadecimal digits");
-           o.paper = s;
-         });
+  const auto color = [&r](const char* name, std::string& of, const char* does, const char* usual) {
+    r.text(name, does, usual, [name, &of](const std::string& s) {
+      if (s.size() != 7 || s[0] != '#' || s.find_first_not_of("0123456789abcdefABCDEF", 1) != s.npos)
+        refuse(name, s, "#rrggbb, a colour by six hexadecimal digits");
+      of = s;
+    });
+  };
+  color("--paper", o.paper, "figure: the colour behind it, such as #ffffff", "none, so that the page shows");
   r.choice("--edges", kFigureEdges, o.edges,
            "figure: the edges of the model's faces as lines, in front or all; hidden ones are dashed");
+  color("--edge-color", o.edgeColor, "figure: the colour of the edges, such as #808080", "#000000");
   r.flag("--smooth", o.smooth,
          "figure, PDF: Gouraud shading as triangles with a colour at each corner, which the reader "
          "interpolates; the file is small, and the shades have no borders");
@@ -300,6 +307,7 @@ bool parse(std::vector<std::string> arguments, Options& o) {
   app.footer("In the window, `?` shows all keys.\nExit status: " + exitStatuses() + ".");
   Reader reader{app};
   addOptions(app, reader, o);
+  const std::string last = arguments.empty() ? "" : arguments.back();
   try {
     std::ranges::reverse(arguments);  // CLI11 takes them in reverse order
     app.parse(arguments);
@@ -310,7 +318,7 @@ bool parse(std::vector<std::string> arguments, Options& o) {
     std::cout << version.what() << '\n';
     return false;
   } catch (const CLI::ParseError& e) {
-    complain(app, o, e);
+    complain(app, o, e, last);
   }
   for (const CLI::Option* option : app.parse_order()) {
     o.given.push_back(option->get_name());

@@ -66,7 +66,7 @@ inline constexpr std::array kCommands{
                "what becomes wrong first when the scene is scaled, moved, flattened ...", true},
     CommandRow{Command::Diagnose, "diagnose", "diagnose SCENE PICTURE.png | --scene-for A,B",
                "which mistake the program made that drew the picture; SCENE and options say what is right",
-               true, "PICTURE, a PNG, PPM or XWD file"},
+               true, "PICTURE, a PNG, PPM, BMP or XWD file"},
     CommandRow{Command::Judge, "judge", "judge SCENE ORDER.jsonl [--json]",
                "whether a painting order of faces and pieces is right, and its first wrong pair", true,
                "ORDER, a file of JSON lines"},
@@ -120,9 +120,10 @@ struct Options {
   MapOwner colormap = MapOwner::Private;
   bool nearest = false;  ///< true: a colour that the server lacks becomes the nearest it has, not a mixture
   std::string output, ids;
-  std::string paper;                 ///< figure: the colour behind it, "#rrggbb"; "" for none
-  int tolerance = kFigureTolerance;  ///< figure: how far colours from samples may be off, in steps of 1/255
-  bool smooth = false;               ///< figure: Gouraud shading as triangles, in PDF
+  std::string paper;                  ///< figure: the colour behind it, "#rrggbb"; "" for none
+  std::string edgeColor = "#000000";  ///< figure
+  int tolerance = kFigureTolerance;   ///< figure: how far colours from samples may be off, in steps of 1/255
+  bool smooth = false;                ///< figure: Gouraud shading as triangles, in PDF
   FigureEdges edges = FigureEdges::None;
   bool bare = false;    ///< the PNG file carries no set-up
   bool stats = false;   ///< also if only --errors or --costs was given

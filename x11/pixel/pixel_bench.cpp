@@ -69,7 +69,7 @@ void PixelBench::walk(int steps) {
 }
 
 Controls PixelBench::controls() {
-  Controls all = settingControls(host_.setup(), host_.defaults(), change());
+  Controls all = settingControls(host_.setup(), host_.defaults(), change(), subject_().scene);
   std::erase_if(all,
                 [](const Control& control) { return control.key == 'W'; });  // this view shows what is shaded
   for (Control& control : all)
@@ -182,6 +182,7 @@ KeyTable PixelBench::ownKeys() {
     quiz_.showAll();
     list_.setFocus(std::nullopt);
   });
+  table.back().idle = !quiz_.isHiding() && !list_.focus();
   append(table, zoomKeys(host_.setup(), subject_(), change()));
   return table;
 }

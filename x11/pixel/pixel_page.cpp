@@ -14,6 +14,7 @@
 #include "shading/picture/cell_use.h"
 #include "shading/scene/units.h"
 #include "x11/drawing/wording.h"
+#include "x11/views/cell_facts.h"
 
 namespace xnewell {
 
@@ -260,7 +261,7 @@ Section historyPart(const PixelStory& story, int chosen) {
     const PaintedHere& one = h.painted[k];
     const std::string name = faceName(story.picture, one.fragment.face);
     const bool piece = one.fragment.piece >= 0;
-    hasParts = hasParts || name.find('.') < 8;
+    hasParts = hasParts || nameOfFace(story.picture, one.fragment.face).find('.') != std::string::npos;
     t.rows.push_back({{std::to_string(k + 1)},
                       {{}, story.picture.snapped().faces[one.fragment.face].number},
                       {name + (piece ? " (a piece)" : ""), name},
@@ -515,11 +516,12 @@ void addShade(Section& s, const Story& story, const Explanation& e, const PixelS
   const bool own = picked.has(e.intensity);
   const double I = own ? e.intensity : e.inLoop;
   constexpr int kMostDecimals = 12;
-  int decimals = kD;  // as many as it takes to tell I from the border above
+  int decimals = kD;  // as many as it takes to tell I from the borders
   const auto written = [&](double v) {
     return decimals <= kMostDecimals ? fixed(v, decimals) : significant(v, decimals - kMostDecimals);
   };
-  while (I < picked.to && written(I) == written(picked.to)) ++decimals;
+  const auto lies = [&] { return picked.has(std::stod(written(I))) || !picked.has(I); };
+  while (!lies()) ++decimals;
   if (e.luminance)
     s.say("one hue: the luminance 0.30 R + 0.59 G + 0.11 B of " + fixed(e.I[0], 2) + ", " + fixed(e.I[1], 2) +
               ", " + fixed(e.I[2], 2),
@@ -536,10 +538,9 @@ void addShade(Section& s, const Story& story, const Explanation& e, const PixelS
   s.fact("table", Object{{"name", kind.name}, {"first", table.first()}, {"shades", table.shades()}});
   if (!own) s.fact("in_loop", e.inLoop);
   s.fact("interval", List{picked.from, picked.to},
-         "that shade is for " + written(picked.from) + (picked.last ? " <= I <= " : " <= I < ") +
-             written(picked.to) + "; it holds " + listed(stored, 0),
-         7, kCell);
-  s.fact("color", List{color.r, color.g, color.b}, "of 65535, as " + std::string{kind.holds}, 1, kCell);
+         "that shade is for " + pickedText(table, shade, decimals) + "; it holds " + listed(stored, 0), 7,
+         kCell);
+  s.fact("color", List{color.r, color.g, color.b}, "of 65535, as " + holdsText(table), 1, kCell);
   if (sight.shownBits > 0)
     s.say("this screen shows " +
               (sight.shownBits == 16 ? "all 16 bits"
@@ -700,10 +701,10 @@ Page besidePixel(const Story& story, const PixelSight& sight) {
   };
   fact("pixel", std::to_string(story->i) + ", " + std::to_string(story->j), 8);
   if (const Explanation* const shown = story->shown()) {
-    const std::string name = faceName(story->picture, shown->face);
-    const std::size_t comma = name.find(", ");
-    fact("face", name.substr(0, comma), 2);
-    if (comma != std::string::npos) fact("part", name.substr(comma + 2), 1);
+    const std::string name = faceName(story->picture, shown->face),
+                      number = nameOfFace(story->picture, shown->face);
+    fact("face", number, 2);
+    if (name != number) fact("part", name.substr(number.size() + 2), 1);
   }
   fact("cell", asked(kCell, std::to_string(story->cell())), 7);
   if (story->shown()) fact("I", asked(kI, intensityWords(*story, *story->shown())), 7);

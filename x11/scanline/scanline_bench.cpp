@@ -50,7 +50,7 @@ Control ScanlineBench::polygonsControl() {
 
 Controls ScanlineBench::controls() {
   Controls all{bitsControl(), polygonsControl()};
-  for (Control& control : settingControls(host_.setup(), host_.defaults(), change()))
+  for (Control& control : settingControls(host_.setup(), host_.defaults(), change(), subject_().scene))
     if (control.key != 'W' && control.key != 'B') all.push_back(std::move(control));
   for (Control& control : cameraControls(host_.setup(), subject_(), change())) {
     control.drag = {};

@@ -1,5 +1,7 @@
 #include "x11/scanline/scanline_code.h"
 
+#include <algorithm>
+
 #include "x11/scanline/scanline_words.h"
 
 namespace xnewell {
@@ -39,6 +41,11 @@ std::vector<CodeLine> scanlineCode(const ScanlineRun& run, int step) {
     return line.numbers.empty() ? std::string{} : line.numbers.back();
   };
   const bool one = run.stepsValues();  // one number, which has room
+  const auto V = [&](const ScanSample& of) { return steppedText(of.stepped, 4); };
+  const auto firstOfRow = [&] {
+    return *std::ranges::find_if(
+        run.samples(), [&](const ScanSample& s) { return s.part == sample->part && s.span == sample->span; });
+  };
   add("for each row y, from top to bottom", When::Row,
       begun ? "y = " + std::to_string(run.spanOf(*sample).row) : "");
   const std::vector<EdgeLine> edges = begun ? edgeLines(run, *sample) : std::vector<EdgeLine>{};
@@ -54,12 +61,12 @@ std::vector<CodeLine> scanlineCode(const ScanlineRun& run, int step) {
   add("  x = the first sample at xL or after", When::Row, ifBegun([&] { return span[3].x; }));
   if (!constant)
     add("  " + names.value + " there: left + (x - xL) d", When::Row,
-        ifBegun([&] { return one ? last(span[3]) : ""; }));
+        ifBegun([&] { return one ? V(firstOfRow()) : ""; }));
   add("  while x is before xR", When::Pixel, begun ? "x = " + span[4].x : "");
   add("    paint " + names.paints, When::Never, begun ? "cell " + std::to_string(sample->steppedCell) : "");
   lines.back().ran = begun ? CodeLine::Ran::Now : CodeLine::Ran::Never;
   add(constant ? "    x = x + 1" : "    x = x + 1, " + names.value + " = " + names.value + " + d",
-      When::Pixel, one && begun ? last(span[4]) : "");
+      When::Pixel, one && begun ? V(*sample) : "");
   add("  each edge: x = x + dx", When::Row);
   if (!begun) lines.front().ran = CodeLine::Ran::Now;
   return lines;

@@ -54,9 +54,9 @@ int mostAdditions(const ScanlineRun& run) {
 
 }  // namespace
 
-std::string nameOfFace(const Picture& picture, int face) {
-  const std::string name = faceName(picture, face);
-  return name.substr(0, name.find(','));
+std::string steppedText(double value, int decimals) {
+  while (decimals < 12 && std::stod(fixed(value, decimals)) >= std::floor(value) + 1.0) ++decimals;
+  return fixed(value, decimals);
 }
 
 int faceNamed(const Picture& picture, const std::string& name) {
@@ -168,7 +168,7 @@ std::vector<PixelLine> pixelLines(const ScanlineRun& run, int step) {
       const ScanSample& before = run.samples()[static_cast<std::size_t>(step - 2)];
       how = fixed(before.stepped, 8) + ' ' + withSign(sample.stepped - before.stepped, 8);
     }
-    lines.push_back({"by steps", how, fixed(sample.stepped, 8), steppedCell});
+    lines.push_back({"by steps", how, steppedText(sample.stepped, 8), steppedCell});
     how = "along the edges and the row";
     if (e.vertices.size() == 3 && !run.goesAlongRows()) {
       how.clear();
@@ -300,7 +300,7 @@ std::string stepInWords(const ScanlineRun& run, int step) {
   if (step == 0) return "before the first sample";
   const ScanSample& sample = run.samples()[static_cast<std::size_t>(step - 1)];
   return "row " + std::to_string(run.spanOf(sample).row) + ", pixel " + std::to_string(sample.column) +
-         ": value " + fixed(sample.stepped, 4) + ", cell " + std::to_string(sample.steppedCell);
+         ": value " + steppedText(sample.stepped, 4) + ", cell " + std::to_string(sample.steppedCell);
 }
 
 std::vector<std::string> scanAsLines(const ScanlineRun& run, int step, const ScanlineRun* eight) {

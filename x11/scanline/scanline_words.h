@@ -11,14 +11,15 @@ namespace xnewell {
 
 /// The words and numbers of a polygon that is filled, for view 0 and for `trace --scanline`.
 
-/// "59.1" of "59.1, handle": the name of a face of the picture.
-[[nodiscard]] std::string nameOfFace(const Picture& picture, int face);
 /// The face of the picture with this name, an index into snapped().faces: "59.1", or "59" for its first part.
 /// -1 if there is none.
 [[nodiscard]] int faceNamed(const Picture& picture, const std::string& name);
 
 /// Says that the picture has no such face, or that the face has no such convex part.
 [[nodiscard]] std::string noFace(const Picture& picture, const std::string& scene, const std::string& name);
+
+/// A value that was stepped, with as many decimals as it takes for its whole part to be that of the number.
+[[nodiscard]] std::string steppedText(double value, int decimals);
 
 /// "A": a corner of a part.
 [[nodiscard]] char letterOfCorner(int vertex);

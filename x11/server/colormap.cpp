@@ -209,7 +209,7 @@ std::string ServerColormap::shortfall() const {
   if (shared_ && fixed_)
     return its + " has levels for " + std::to_string(fixed_->size()) +
            " colours, but no cells for a ramp of shades: " + instead();
-  if (shared_ && has_ == Own::Nothing) return its + " has no free cells for a ramp of shades: " + instead();
+  if (shared_ && !live()) return its + " has no free cells for a ramp of shades: " + instead();
   if (!shared_ && settings_.owner == MapOwner::Shared)
     return "the default colormap (" + visual_.name() + ") is not writable, so the colour table is emulated";
   return "";

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "x11/drawing/font.h"
+#include "shading/color/font.h"
 
 namespace xnewell {
 

@@ -178,7 +178,8 @@ Controls SideBench::controls() {
   follow(A);
   Controls all;
   const ChangeSetup focused = [this](char control, const auto& edit) { changeFocused(control, edit); };
-  for (Control& control : settingControls(focus_ == 'A' ? A : *b_, host_.defaults(), focused)) {
+  for (Control& control :
+       settingControls(focus_ == 'A' ? A : *b_, host_.defaults(), focused, subject_().scene)) {
     const char key = control.key;
     if (key == 'W' || key == 'J' || key == 'B') continue;
     if (key == 'P') control = settingControl('P', A, host_.defaults(), change());  // both have one camera
@@ -226,6 +227,7 @@ KeyTable SideBench::ownKeys() {
     blinking_ = false;
     list_.setFocus(std::nullopt);
   });
+  table.back().idle = !blinking_ && !list_.focus();
   add(table, 'u', "undo", "undo, redo", [this] {
     if (!undo(host_.setup())) host_.undo();
   });

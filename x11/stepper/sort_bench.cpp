@@ -68,6 +68,11 @@ KeyTable SortBench::ownKeys() {
   }
   for (int k = 0; view.numbered && k < kStops; ++k)
     add(static_cast<char>('1' + k), "tick a box", "tick a box", "", [this, k] { player_.toggle(k); });
+  const bool names = view.own && view.own->naming;
+  const std::string none = names ? "There are five tests, 1 to 5." : "There are six boxes, 1 to 6.";
+  if (view.numbered || names)  // the digits of the other views wait for the next key
+    for (const char digit : std::string_view{"1234567890"})
+      append(table, {{.keys = {digit}, .does = none, .off = none}});
 
   const bool rests = run() && !view.playing;
   appendTransportKeys(

@@ -1,5 +1,6 @@
 #include "x11/stepper/sort_code.h"
 
+#include <algorithm>
 #include <array>
 
 #include "x11/drawing/wording.h"
@@ -13,13 +14,14 @@ enum SortLine {
   Sort,
   While,
   TakeP,
+  MarkP,
   EachQ,
   TestOne,
   TestTwo,
   TestThree,
   TestFour,
   TestFive,
-  NextQ,
+  OnePlane,
   TestThreeOther,
   TestFourOther,
   Nearer,
@@ -32,7 +34,8 @@ enum SortLine {
 };
 constexpr std::array<std::string_view, kLines> kText{"sort the polygons by their farthest z",
                                                      "while a polygon is left",
-                                                     "  P = the farthest one that is left",
+                                                     "  P = the first of the list",
+                                                     "  mark P",
                                                      "  for each Q whose z-extent reaches P's",
                                                      "    1  x-extents apart: next Q",
                                                      "    2  y-extents apart: next Q",
@@ -43,7 +46,7 @@ constexpr std::array<std::string_view, kLines> kText{"sort the polygons by their
                                                      "    3' Q behind the plane of P: Q first",
                                                      "    4' P before the plane of Q: Q first",
                                                      "    6  where they overlap, which is nearer?",
-                                                     "    Q first: mark Q, P = Q, begin again",
+                                                     "    Q first: move and mark it, P = Q",
                                                      "    Q is marked already: a cycle",
                                                      "      split P by the plane of Q",
                                                      "      no split helps: another pair",
@@ -53,7 +56,7 @@ constexpr std::array<std::string_view, kLines> kText{"sort the polygons by their
 SortLine lineOf(Test test) {
   switch (test) {
     case Test::SamePlane:
-      return NextQ;
+      return OnePlane;
     case Test::XExtents:
       return TestOne;
     case Test::YExtents:
@@ -113,6 +116,7 @@ std::string_view inWords(Verdict verdict) {
 std::vector<CodeLine> sortCode(SortRun& run, const SortView& view) {
   std::vector<CodeLine> lines;
   for (const std::string_view text : kText) lines.push_back({std::string{text}});
+  for (const SortLine own : {MarkP, OnePlane, Nearer, NoSplit}) lines[own].ours = true;
   const auto ran = [&](SortLine line, CodeLine::Ran how) { lines[static_cast<std::size_t>(line)].ran = how; };
   const auto values = [&](SortLine line, std::string text) {
     lines[static_cast<std::size_t>(line)].values = std::move(text);
@@ -123,7 +127,11 @@ std::vector<CodeLine> sortCode(SortRun& run, const SortView& view) {
     return lines;
   }
   const Event& e = run.sorted().events[static_cast<std::size_t>(view.step - 1)];
-  values(TakeP, "P = " + run.explainer().name(e.P));
+  // P is the first of the list, or the Q of a move: then others are marked below it.
+  const int P = e.kind == Event::Kind::Move ? e.Q : run.asTested()->P;
+  const std::vector<int> marked = run.replay().marked();
+  const bool taken = std::ranges::all_of(marked, [&](int id) { return id == P; });
+  values(taken ? TakeP : MoveQ, "P = " + run.explainer().name(P));
   if (e.Q >= 0) values(EachQ, "Q = " + run.explainer().name(e.Q));
   if (e.kind == Event::Kind::Compare) {
     ran(EachQ, CodeLine::Ran::Before);
@@ -135,10 +143,11 @@ std::vector<CodeLine> sortCode(SortRun& run, const SortView& view) {
     const SortLine now = lineOf(e);
     if (e.test != Test::SamePlane)
       for (int k = TestOne; k < now; ++k)
-        if (k != NextQ)
+        if (k != OnePlane)
           ran(static_cast<SortLine>(k), CodeLine::Ran::Before), values(static_cast<SortLine>(k), "no");
     values(now, std::string{inWords(e.verdict)});
   }
+  if (e.kind == Event::Kind::Take) ran(MarkP, CodeLine::Ran::Before);
   ran(lineOf(e), CodeLine::Ran::Now);
   return lines;
 }

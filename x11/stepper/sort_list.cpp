@@ -16,6 +16,7 @@ enum class Mark { Painted, P, Q, Marked, Waiting };
 struct Row {
   int id;
   Mark mark;
+  bool marked = false;  ///< the polygon has a mark, also where the row shows that it is P or Q
 };
 
 struct Rows {
@@ -31,7 +32,12 @@ Rows ownRowsOf(const SortPen& pen) {
     rows.shown.push_back({pen.run.paintedId(n), Mark::Painted});
   std::vector<Row> left;
   for (const auto& [id, marked] : pen.run.replay().list(std::numeric_limits<int>::max()))
-    left.push_back({id, id == P ? Mark::P : id == Q ? Mark::Q : marked ? Mark::Marked : Mark::Waiting});
+    left.push_back({id,
+                    id == P   ? Mark::P
+                    : id == Q ? Mark::Q
+                    : marked  ? Mark::Marked
+                              : Mark::Waiting,
+                    marked});
   const int count = static_cast<int>(left.size()), room = pen.at.rows() - static_cast<int>(rows.shown.size());
   const auto placeOf = [&](Mark mark) {
     return static_cast<int>(std::ranges::find(left, mark, &Row::mark) - left.begin());
@@ -64,12 +70,15 @@ Rows rowsOf(const SortPen& pen) {
   const auto& faces = pen.run.scene().faces;
   for (const auto& [id, marked] :
        replay.list(static_cast<int>(faces.size() + pen.run.sorted().pieces.size()))) {
-    if (id == P) continue;
+    if (id == P) {
+      rows.shown.back().marked = marked;
+      continue;
+    }
     hasQ |= id == Q;
     if (id == Q)
-      others.push_back({id, Mark::Q});
+      others.push_back({id, Mark::Q, marked});
     else if (marked || P < 0 || pen.run.zExtent(id).overlaps(z))
-      others.push_back({id, marked ? Mark::Marked : Mark::Waiting});
+      others.push_back({id, marked ? Mark::Marked : Mark::Waiting, marked});
   }
   if (Q >= 0 && !hasQ) others.insert(others.begin(), {Q, Mark::Q});
 
@@ -186,15 +195,18 @@ void drawWords(SortPen& pen) {
   }
 }
 
-void drawMark(SortPen& pen, Mark mark, int x, int y) {
-  switch (mark) {
+void drawMark(SortPen& pen, const Row& row, int x, int y) {
+  const bool badge = row.mark == Mark::P || row.mark == Mark::Q;
+  if (row.marked)
+    pen.paint.triangle(badge ? x + 15 : x + 5, y - 8, badge ? 3 : 4, Direction::Right, pen(Cell::Ink));
+  switch (row.mark) {
     case Mark::Painted:
       return pen.paint.tick(x + 3, y - 8, pen(Cell::Faint));
     case Mark::P:
     case Mark::Q:
-      return drawBadge(pen, x, y - 11, mark == Mark::P);
+      return drawBadge(pen, x, y - 11, row.mark == Mark::P);
     case Mark::Marked:
-      return pen.paint.triangle(x + 5, y - 8, 4, Direction::Right, pen(Cell::Ink));
+      return;
     case Mark::Waiting:
       return pen.paint.ring(x + 6, y - 5, 2, pen(Cell::Soft));
   }
@@ -222,7 +234,7 @@ void drawRows(SortPen& pen, const Axis& axis, const Rows& rows) {
     const bool pair = row.mark == Mark::P || row.mark == Mark::Q;
     const Rect words{at.x, y - pen.at.line + 4, pen.at.side.x - at.x - 8, pen.at.line};
     if (pair || pen.look(SortPart::Row, k).hovered) pen.paint.fillRect(words, pen(Cell::White));
-    drawMark(pen, row.mark, at.x + 2, y);
+    drawMark(pen, row, at.x + 2, y);
     const Cell cell = row.mark == Mark::Painted ? Cell::Faint : pair ? Cell::Ink : Cell::Soft;
     const Voice voice = pair ? Voice::Bold : Voice::Plain;
     const std::string number = fitting(pen.run.fragments().number(row.id), 54);

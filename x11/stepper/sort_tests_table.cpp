@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "x11/drawing/font.h"
+#include "shading/color/font.h"
 #include "x11/drawing/wording.h"
 #include "x11/stepper/sort_pen.h"
 #include "x11/stepper/sort_wording.h"

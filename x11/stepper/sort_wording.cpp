@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "x11/drawing/font.h"
+#include "shading/color/font.h"
 #include "x11/drawing/painter.h"
 #include "x11/drawing/wording.h"
 
@@ -179,8 +179,7 @@ std::string numbersThatFit(const Explainer& explainer, const Event& e, Test test
 
 std::string fitting(std::string_view text, int width) {
   const int letters = std::max(0, width / kGlyphWidth);
-  std::string shown = latin1(text);
-  if (static_cast<int>(shown.size()) <= letters) return std::string{text};
+  if (static_cast<int>(codesOf(text).size()) <= letters) return std::string{text};
   const std::vector<std::string> lines = broken(text, std::max(1, letters - 2));
   return lines.empty() ? "" : lines.front() + "..";
 }

@@ -200,6 +200,7 @@ KeyTable ViewingBench::ownKeys() {
   table.push_back({{NamedKey::Escape}, "", "give the arrows back to the stages", [this](const Key&) {
                      list_.setFocus(std::nullopt);
                    }});
+  table.back().idle = !list_.focus();
   return table;
 }
 

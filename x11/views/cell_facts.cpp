@@ -63,18 +63,38 @@ std::string cubeText(int k) {
 
 }  // namespace
 
-std::string pickedText(const ColorTable& table, int j) {
+std::string pickedText(const ColorTable& table, int j, int least) {
   const ColorTable::Picked picked = table.picked(j);
   const double from = picked.from, to = picked.to;
   if (from >= to) return "no I";
   constexpr int kMostDecimals = 12;
   int decimals = 4;
   double unit = 1e-4;
-  for (; to - from < 10.0 * unit && decimals <= kMostDecimals; ++decimals) unit /= 10.0;
+  for (; (to - from < 10.0 * unit || decimals < least) && decimals <= kMostDecimals; ++decimals) unit /= 10.0;
   const auto up = [&](double I) {
     return decimals <= kMostDecimals ? fixed(std::ceil(I / unit) * unit, decimals) : significant(I, 17);
   };
   return (j > 0 ? up(from) + " <= " : "") + "I" + (picked.last ? "" : " < " + up(to));
+}
+
+std::string shadesText(const Picture& picture) {
+  const std::vector<ColorTable>& tables = picture.colors().tables();
+  if (channelsOf(picture.colors().plan()) == Channels::Rgb || tables.size() < 2)
+    return std::to_string(picture.settings().table.shades) + " shades";
+  const auto [least, most] = std::ranges::minmax(tables, {}, &ColorTable::shades);
+  return (least.shades() < most.shades() ? std::to_string(least.shades()) + " to " : "") +
+         std::to_string(most.shades()) + " shades for each of " + std::to_string(tables.size()) + " hues";
+}
+
+std::string holdsText(const ColorTable& table) {
+  const TableSettings& s = table.settings();
+  const int first = table.first(), lowest = s.kind == TableKind::Linear ? 1 : 0;
+  const std::string shade = "cell " + std::to_string(first) + " + j holds ";
+  if (!isEven(s.kind)) return shade + "I0 r^j of the hue";
+  if (s.low == 0.0 && s.high == 1.0 && s.shades == kMaxShades)
+    return "cell i holds (i - " + std::to_string(first - lowest) + ")/255 of the hue";
+  return shade + "(" + significant(lowest + 239 * s.low, 6) + " + " + significant(239 * (s.high - s.low), 6) +
+         " j/" + std::to_string(s.shades - 1) + ")/255 of the hue";
 }
 
 std::vector<CellFact> factsOf(int cell, const Picture& picture, const Palette& palette, const CellPlan& plan,

@@ -21,8 +21,14 @@ struct CellFact {
                                             const CellPlan& plan, const CellUse& use);
 
 /// The intensities that pick shade j, as `0.1868 <= I < 0.1899`. Both ends are rounded up, so that the
-/// statement is exact for all numbers with that many decimals. It uses enough decimals that at least ten such
-/// numbers pick the shade.
-[[nodiscard]] std::string pickedText(const ColorTable& table, int j);
+/// statement is exact for all numbers with that many decimals. It uses at least `least` decimals, and enough
+/// that at least ten such numbers pick the shade.
+[[nodiscard]] std::string pickedText(const ColorTable& table, int j, int least = 4);
+
+/// How many shades the picture has: `240 shades`, or `28 shades for each of 8 hues`.
+[[nodiscard]] std::string shadesText(const Picture& picture);
+
+/// What the cells of a table hold: `cell 91 + j holds (1 + 239 j/27)/255 of the hue`.
+[[nodiscard]] std::string holdsText(const ColorTable& table);
 
 }  // namespace xnewell

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "x11/views/cell_facts.h"
+
 namespace xnewell {
 
 namespace {
@@ -24,8 +26,8 @@ SceneCellWords wordsOf(const Picture& picture, const PaletteEffects& effects) {
   const TableRow& row = kTables[static_cast<int>(picture.settings().table.kind)];
   const std::string table{row.name};
   SceneCellWords words{.cells = sceneCells(picture), .rule = "", .shortRule = table + " table"};
-  words.rule =
-      picture.settings().table.shades == kMaxShades ? table + ": " + std::string{row.holds} : words.shortRule;
+  words.rule = picture.settings().table.shades == kMaxShades ? table + ": " + holdsText(scene.table())
+                                                             : words.shortRule;
   if (scene.plan() == ColorPlan::Hues) {
     const std::string hues = std::to_string(scene.tables().size()) + " hues";
     words.shortRule = hues + ", " + words.shortRule;

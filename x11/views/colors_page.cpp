@@ -287,7 +287,8 @@ std::vector<Control> tableLines(const Picture& picture, const PaletteEffects& ef
     lines.push_back(kindLine(table.kind));
     const bool corrected = table.kind == TableKind::Corrected;
     const std::string I0 = corrected ? ", I0 " + fixed(table.I0, table.I0 < 0.001 ? 6 : 3) : "";
-    fact("shades", std::to_string(table.shades) + I0);
+    const std::string shades = shadesText(picture);
+    fact("shades", shades.substr(0, shades.find(" shades")) + I0);
     if (corrected) choice("nearest", table.pick == Pick::Search, {"in ratio", "difference"});
     const std::size_t ramps = picture.colors().tables().size();
     const glm::dvec3& h = table.hue;

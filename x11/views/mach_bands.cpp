@@ -275,7 +275,7 @@ Rect MachBands::drawFindings(bool explains, bool grayed, int controls) {
       "A jump is the change of I from one pixel of a surface to the next. A kink is the "
       "change of that change. An edge is where two faces of a surface meet. It is a band, marked "
       "on the curve, if I jumps there by 1/240 or its slope, over all that the row shows, "
-      "changes by 1/2.";
+      "changes by 1/2 and by 1/8 of itself.";
   const Finding finding = findingOf(line_, controls > 0);
   const int end = sheet_.image().height / sheet_.painter().unit() - Sheet::kMargin -
                   Sheet::findingHeight(kFindings, finding.bold, finding.why);

@@ -61,6 +61,10 @@ struct ShownPicture {
   std::string finding;
 };
 
+/// The image of a painted picture, and over it the lines and labels of its scene that no face hides, each in
+/// the cell that looks most like its colour.
+[[nodiscard]] IndexImage withMarks(const Picture& picture, const Palette& palette);
+
 /// `picture` is painted; `palette` has its colours. Show::Difference needs the truth, which takes long to
 /// make; it is kept in `truth`. Marks and legends are drawn in units of so many pixels.
 [[nodiscard]] ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette,

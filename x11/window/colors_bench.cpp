@@ -81,7 +81,7 @@ KeyTable ColorsBench::ownKeys() {
     const auto by = [this](int cells, int ofShift) {
       return [=, this](const Key& key) {
         const int to = cell() + (key.shift ? ofShift : cells);
-        if (std::abs(cells) == 1 || (to >= 0 && to < 256)) inspect(to);
+        if (std::abs(cells) == 1 || (to >= 0 && to < 256)) inspect(to), chosen_ = true;
       };
     };
     const std::string does = "choose a cell; Shift: ten";
@@ -104,6 +104,7 @@ KeyTable ColorsBench::ownKeys() {
       {{NamedKey::Escape}, "restore", "restore light, gamma, curve, indices and ramp", [this](const Key&) {
          undo();
        }});
+  table.back().idle = effects_ == PaletteEffects{} && !moving_ && !held_ && !list_.focus() && !chosen_;
   table.push_back({.does = "bend the curve of stored values", .gesture = "drag"});
   table.push_back({{'r'}, "", "reset the set-up, and restore as Esc does", [this](const Key&) {
                      undo();
@@ -120,6 +121,7 @@ void ColorsBench::undo() {
   effects_ = {};
   moving_ = false;
   held_.reset();
+  chosen_ = false;
   list_.drop();
   list_.setFocus(std::nullopt);
 }
@@ -134,14 +136,20 @@ void ColorsBench::leave() {
 
 void ColorsBench::hover(int x, int y) {
   Bench::hover(x, y);
-  if (const std::optional<int> cell = cellInGrid(at_, x, y)) return inspect(*cell);
-  if (const std::optional<int> cell = cellInStrip(strip_, x, y)) return inspect(*cell);
+  if (const std::optional<int> cell = cellAt(x, y); cell && !chosen_) inspect(*cell);
+}
+
+std::optional<int> ColorsBench::cellAt(int x, int y) const {
+  if (const std::optional<int> cell = cellInGrid(at_, x, y)) return cell;
+  if (const std::optional<int> cell = cellInStrip(strip_, x, y)) return cell;
   for (const Rect& plot : {at_.stored, at_.steps})
-    if (plot.has(x, y) && scene_.count > 0) return inspect(cellAtX(scene_, plot, x));
+    if (plot.has(x, y) && scene_.count > 0) return cellAtX(scene_, plot, x);
+  return std::nullopt;
 }
 
 bool ColorsBench::grab(int x, int y) {
-  hover(x, y);
+  Bench::hover(x, y);
+  if (const std::optional<int> cell = cellAt(x, y)) inspect(*cell), chosen_ = true;
   if (!at_.table.has(x, y)) list_.setFocus(std::nullopt);
   return Bench::grab(x, y);
 }

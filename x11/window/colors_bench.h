@@ -48,8 +48,9 @@ class ColorsBench : public Bench {
   void undo();
   void inspect(int cell);
   [[nodiscard]] int cell() const { return cell_.value_or(0); }
+  /// The cell that the page shows at a place.
+  [[nodiscard]] std::optional<int> cellAt(int x, int y) const;
   void bendTo(int y);
-  void light();
   /// Held indices are for one number of shades and one I0. If these change, the indices follow the settings
   /// again.
   [[nodiscard]] bool holds(const Setup& setup) const;
@@ -67,7 +68,8 @@ class ColorsBench : public Bench {
   std::optional<int> cell_;
   PaletteEffects effects_;  ///< except `stored`, which follows from the settings and held_
   bool moving_ = false;
-  double brightest_ = 255.0;           ///< the value in the last cell of the ramp, of 255
+  bool chosen_ = false;       ///< a click or a key chose the cell, so the pointer above others leaves it
+  double brightest_ = 255.0;  ///< the value in the last cell of the ramp, of 255
   std::optional<TableSettings> held_;  ///< the table that picks the indices
   // The state of the last drawing.
   ColorsLayout at_;

@@ -168,7 +168,7 @@ void LightPen::light() {
   if (shown.light.focused) drawFocus(*this, {row.x, row.y, row.width, at.compact ? 18 : 40}, 2);
   const int x = place.x, y = place.y, end = row.x + row.width;
   key(x, y - 11, "l");
-  if (shown.ownLights) {
+  if (!shown.ownLights.empty()) {
     paint.text(x + kName, y, "the scene's own", (*this)(Cell::Faint));
     return;
   }
@@ -190,9 +190,16 @@ void LightPen::light() {
 void LightPen::ball() {
   paint.fillRect(at.ball, (*this)(Cell::Well));
   const int radius = at.radius, cx = at.ball.x + at.ball.width / 2, cy = at.ball.y + at.ball.height / 2;
-  if (shown.ownLights) {
-    paint.text(cx - textWidth("the scene's") / 2, cy - 3, "the scene's", (*this)(Cell::WellText));
-    paint.text(cx - textWidth("own lights") / 2, cy + 13, "own lights", (*this)(Cell::WellText));
+  if (const auto& own = shown.ownLights; !own.empty()) {
+    constexpr int kPitch = 14;
+    const int room = (at.ball.height - 8) / kPitch, count = static_cast<int>(own.size());
+    const int rows = count > room ? room - 1 : count;
+    for (int k = 0; k < rows; ++k)
+      paint.text(at.ball.x + 8, at.ball.y + kPitch * (k + 1) + 2,
+                 beginningOf(own[static_cast<std::size_t>(k)], at.ball.width - 12), (*this)(Cell::WellText));
+    if (rows < count)
+      paint.text(at.ball.x + 8, at.ball.y + kPitch * (rows + 1) + 2, std::to_string(count - rows) + " more",
+                 (*this)(Cell::WellText));
     return;
   }
   paint.hline(cx - radius - 5, cy, 2 * radius + 11, (*this)(Cell::WellLine));
@@ -233,18 +240,22 @@ void LightPen::thumb(int x, const Rect& bar, const Look& look) {
 
 /// Draws one bar of length 1: ambient light dark, point light dotted, the rest unused.
 void LightPen::intensities() {
-  const Illumination& light = shown.setup.picture.light;
+  const bool own = !shown.ownLights.empty();
   const int x = place('i').x, y = place('i').y;
   if (shown.Ia.focused || shown.Ip.focused) drawFocus(*this, {x, y - 14, kControls, at.compact ? 37 : 44}, 6);
   key(x, y - 11, "i");
-  bold(ink(x + 24, y, "Ia "), y, fixed(light.Ia, 2));
+  const auto number = [&](int from, std::string_view name, double value, bool off) {
+    const Cell cell = off ? Cell::Faint : Cell::Ink;
+    paint.text(paint.text(from, y, name, (*this)(cell)), y, fixed(value, 2), (*this)(cell), Voice::Bold);
+  };
+  number(x + 24, "Ia ", shown.ambient, shown.IaIsOwn);
   key(x + 124, y - 11, "p");
-  bold(ink(x + 146, y, "Ip "), y, fixed(light.Ip, 2));
-  const double unused = std::max(0.0, 1.0 - light.Ia - light.Ip);
-  paint.textRight(x + kControls, y, "unused " + fixed(unused, 2), (*this)(Cell::Soft));
+  number(x + 146, own ? "all Ip " : "Ip ", shown.lights, own);
+  const double unused = std::max(0.0, 1.0 - shown.ambient - shown.lights);
+  if (!own) paint.textRight(x + kControls, y, "unused " + fixed(unused, 2), (*this)(Cell::Soft));
 
   const Rect& bar = at.bar;
-  const int ia = onBar(bar, light.Ia), sum = onBar(bar, light.Ia + light.Ip);
+  const int ia = onBar(bar, shown.ambient), sum = onBar(bar, std::min(1.0, shown.ambient + shown.lights));
   paint.fillRect(bar, (*this)(Cell::Panel));
   paint.fillRect({ia, bar.y, sum - ia, bar.height}, (*this)(Cell::Rule));
   paint.stipple({ia, bar.y, sum - ia, bar.height}, Stipple::Quarter, (*this)(Cell::Soft));
@@ -252,8 +263,8 @@ void LightPen::intensities() {
   paint.frame(bar, (*this)(Cell::Faint));
   for (int quarter = 0; quarter <= 4; ++quarter)
     paint.vline(onBar(bar, quarter / 4.0), bar.y + 13, 3, (*this)(Cell::Faint));
-  thumb(ia, bar, shown.Ia);
-  thumb(sum, bar, shown.Ip);
+  if (!shown.IaIsOwn) thumb(ia, bar, shown.Ia);
+  if (!own) thumb(sum, bar, shown.Ip);
 }
 
 }  // namespace

@@ -62,7 +62,9 @@ struct LightShown {
   LightAngles angles;
   glm::dvec3 lightInView{0, 0, 1};  ///< unit: to the right, up, towards the viewer
   const BallCells& ball;
-  bool ownLights = false;  ///< the scene has lights of its own, which the settings do not change
+  std::vector<std::string> ownLights = {};  ///< those that the scene has of its own: a row each
+  double ambient = 0, lights = 0;           ///< the intensities in force: Ia, and the sum of all Ip
+  bool IaIsOwn = false;                     ///< the scene says Ia
   Look light, Ia, Ip;
 };
 /// Draws the headings, the light and the intensities on a background of paper.

@@ -25,6 +25,7 @@ struct Layout {
   Drawer drawer = Drawer::Whole;
   Rect handle;             ///< opens the drawer, or shuts it if it has few controls; empty if all are there
   Rect headline, finding;  ///< above and below the picture; empty if all controls are there
+  bool briefTabs = false;  ///< the tabs are only keys, so that a long title has room beside them
 };
 /// The layout of a window of so many pixels.
 [[nodiscard]] Layout layoutOf(int width, int height, int unit = 1, Drawer drawer = Drawer::Whole);

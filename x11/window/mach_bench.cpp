@@ -88,6 +88,7 @@ KeyTable MachBench::ownKeys() {
   table.push_back({{NamedKey::Escape}, "", "select the scanline again", [this](const Key&) {
                      list_.setFocus(ControlId{'y'});
                    }});
+  table.back().idle = list_.focus() == ControlId{'y'};
   append(table, zoomKeys(host_.setup(), subject_(), change()));
   return table;
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "x11/drawing/font.h"
+#include "shading/color/font.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/wording.h"
 #include "x11/options/options.h"
@@ -25,8 +25,9 @@ std::vector<Tab> tabsOf(const Layout& at) {
   const int letter = at.compact ? 0 : 9;  // a narrow window has less space beside the names
   int x = 6;
   for (const WindowViewRow& row : kWindowViews) {
-    tabs.push_back(
-        {row, {x, at.low ? 2 : 5, 27 + letter + textWidth(row.name), at.views.height - (at.low ? 1 : 4)}});
+    tabs.push_back({row,
+                    {x, at.low ? 2 : 5, 27 + (at.briefTabs ? 0 : letter + textWidth(row.name)),
+                     at.views.height - (at.low ? 1 : 4)}});
     x += tabs.back().place.width + (at.compact ? 0 : 4);
   }
   return tabs;
@@ -53,8 +54,9 @@ void drawTabs(Pen& pen, const Layout& at, const PanelState& state) {
         pen.paint.vline(edge, tab.y, at.views.height - tab.y, pen(Cell::Rule));
     }
     pen.soft(tab.x + 9, baseline, std::string_view{&view.key, 1});
-    pen.paint.text(tab.x + 24 - (at.compact ? 4 : 0), baseline, view.name,
-                   pen(shown ? Cell::Ink : Cell::Soft), shown ? Voice::Bold : Voice::Plain);
+    if (!at.briefTabs)
+      pen.paint.text(tab.x + 24 - (at.compact ? 4 : 0), baseline, view.name,
+                     pen(shown ? Cell::Ink : Cell::Soft), shown ? Voice::Bold : Voice::Plain);
     end = tab.x + tab.width + 4;
   }
   const int room = at.width - 2 * kMargin - end;
@@ -62,7 +64,9 @@ void drawTabs(Pen& pen, const Layout& at, const PanelState& state) {
   constexpr std::string_view kDot = " \u00B7 ";
   // A long path keeps its end, which distinguishes files; other names keep their first parts.
   const bool isPath = state.title.find('/') != std::string::npos;
-  std::string title = state.title;
+  std::string title =
+      (at.briefTabs ? std::string{kWindowViews[static_cast<std::size_t>(state.view)].name} + ": " : "") +
+      state.title;
   while (!isPath && textWidth(title) > room && title.find(kDot) != std::string::npos)
     title.erase(title.rfind(kDot));
   pen.softRight(at.width - kMargin, baseline, isPath ? endOf(title, room) : beginningOf(title, room));
@@ -138,29 +142,34 @@ void drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
 }
 
 constexpr int kShadow = 4;
-constexpr int kHelpKeys = 16, kHelpWords = 154;  // from the box's left edge
-
-/// The words of a line of the list of all keys. Long words take several lines.
-std::vector<std::string> wordsIn(const Rect& box, const HelpLine& line) {
-  return broken(line.does, std::max(1, (box.width - kHelpWords - kHelpKeys) / kVoices[0].pitch));
-}
+constexpr int kHelpKeys = 16;  // from the box's left edge
 
 struct HelpBox {
   Rect box;
-  int line;  ///< from one line to the next: less where many must fit
+  int words;  ///< from the box's left edge: right of all keys
+  int line;   ///< from one line to the next: less where many must fit
+  /// The words of a line of the list of all keys. Long words take several lines.
+  [[nodiscard]] std::vector<std::string> wordsOf(const HelpLine& of) const {
+    return broken(of.does, std::max(1, (box.width - words - kHelpKeys) / kVoices[0].pitch));
+  }
 };
 HelpBox helpBox(const Layout& at, const std::vector<HelpLine>& lines) {
   constexpr int kLeastLine = 13, kLine = 18;
   const int width = std::min(at.width - 2 * kMargin, 560), head = at.low ? 32 : 52;
+  HelpBox help{.box = {.width = width}, .words = 154, .line = kLine};
+  for (const HelpLine& line : lines)
+    help.words = std::max(help.words, kHelpKeys + textWidth(line.keys, Voice::Bold) + 12);
   int rows = 0;
-  for (const HelpLine& line : lines) rows += static_cast<int>(wordsIn({.width = width}, line).size());
-  const int line = std::clamp((at.status.y - head - kShadow - 2) / std::max(rows, 1), kLeastLine, kLine);
-  const int height = head + line * rows;
-  return {{(at.width - width) / 2, std::max(1, (at.status.y - height) / 2), width, height}, line};
+  for (const HelpLine& line : lines) rows += static_cast<int>(help.wordsOf(line).size());
+  help.line = std::clamp((at.status.y - head - kShadow - 2) / std::max(rows, 1), kLeastLine, kLine);
+  const int height = head + help.line * rows;
+  help.box = {(at.width - width) / 2, std::max(1, (at.status.y - height) / 2), width, height};
+  return help;
 }
 
 void drawHelp(Pen& pen, const Layout& at, const std::vector<HelpLine>& lines) {
-  const auto& [box, lineHeight] = helpBox(at, lines);
+  const HelpBox help = helpBox(at, lines);
+  const Rect& box = help.box;
   pen.paint.fillRect({box.x + kShadow, box.y + kShadow, box.width, box.height}, pen(Cell::Ink));
   pen.paint.fillRect(box, pen(Cell::Paper));
   pen.paint.frame(box, pen(Cell::Ink));
@@ -169,14 +178,19 @@ void drawHelp(Pen& pen, const Layout& at, const std::vector<HelpLine>& lines) {
   int y = box.y + 2 * lead;
   for (const HelpLine& line : lines) {
     pen.bold(box.x + kHelpKeys, y, line.keys);
-    for (const std::string& words : wordsIn(box, line)) {
-      pen.ink(box.x + kHelpWords, y, words);
-      y += lineHeight;
+    for (const std::string& words : help.wordsOf(line)) {
+      pen.ink(box.x + help.words, y, words);
+      y += help.line;
     }
   }
 }
 
 }  // namespace
+
+bool hasRoomForTitle(const Layout& at, std::string_view title) {
+  const Rect& last = tabsOf(at).back().place;
+  return textWidth(title) <= at.width - 2 * kMargin - (last.x + last.width + 4);
+}
 
 std::optional<WindowView> tabAt(const Layout& at, int x, int y) {
   if (!at.roomy) return std::nullopt;

@@ -32,6 +32,8 @@ struct PanelState {
   std::vector<HelpLine> help;         ///< the list of all keys, over the window; empty: not shown
 };
 
+/// True if the whole title has room beside the tabs.
+[[nodiscard]] bool hasRoomForTitle(const Layout& layout, std::string_view title);
 /// The tab under the pointer.
 [[nodiscard]] std::optional<WindowView> tabAt(const Layout& layout, int x, int y);
 

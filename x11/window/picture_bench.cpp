@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "geometry/exact/scale.h"
 #include "geometry/view/view.h"
 #include "shading/laboratory/exactness.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
+#include "x11/views/cell_facts.h"
 #include "x11/window/caption.h"
 #include "x11/window/drawer.h"
 
@@ -72,6 +74,31 @@ std::string inexactness(const Picture& picture, bool compact) {
          sizeText(picture.settings().width, picture.settings().height) + ".";
 }
 
+/// The intensities in force: Ia and the sum of all Ip, those of the scene where it has its own.
+struct InForce {
+  double Ia, Ip;
+  InForce(const Illumination& user, const SceneLight& own)
+      : Ia{largest(own.Ia.value_or(glm::dvec3{user.Ia}))}, Ip{user.Ip} {
+    glm::dvec3 sum{0.0};
+    for (const Light& light : own.lights) sum += light.Ip;
+    if (!own.lights.empty()) Ip = largest(sum);
+  }
+};
+
+/// A row for each light: "point 0.50", or the three numbers of a colour.
+std::vector<std::string> rowsOf(const std::vector<Light>& lights) {
+  std::vector<std::string> rows;
+  for (const Light& light : lights) {
+    const glm::dvec3& I = light.Ip;
+    rows.push_back((light.kind == LightKind::Directional
+                        ? "far"
+                        : std::string{kLights[static_cast<std::size_t>(light.kind)].name}) +
+                   ' ' + fixed(I.r, 2));
+    if (I.g != I.r || I.b != I.r) rows.back() += ' ' + fixed(I.g, 2) + ' ' + fixed(I.b, 2);
+  }
+  return rows;
+}
+
 /// Words for the colours that the picture of normals or of a term has of its own. They are in the cells from
 /// `first` on.
 SceneCellWords wordsOfOwnColors(Show show, const CellUse& use, int first) {
@@ -98,7 +125,7 @@ Controls PictureBench::controls() {
     const glm::dvec3 towards = glm::transpose(toView_) * directionOnBall(column_, x, y);
     host_.change('l', [&](Setup& s) { aimLight(s.picture.light, towards, subject_().centre); });
   };
-  for (Control& control : settingControls(now, host_.defaults(), change())) {
+  for (Control& control : settingControls(now, host_.defaults(), change(), subject.scene)) {
     if (control.key == 'p')  // its thumb stands at Ia + Ip
       control.drag = [this](int x, int, int, int) {
         const TrackRange share{};
@@ -113,8 +140,10 @@ Controls PictureBench::controls() {
     all.push_back(std::move(control));
   }
   for (Control& control : cameraControls(now, subject, change())) all.push_back(std::move(control));
-  for (Control& button : buttonControls([this](char letter) { host_.pressLetter(letter); }))
+  for (Control& button : buttonControls([this](char letter) { host_.pressLetter(letter); })) {
+    button.off = ownOfScene(button.key, subject.scene);
     all.push_back(std::move(button));
+  }
   return all;
 }
 
@@ -232,6 +261,8 @@ void PictureBench::drawColumn(Painter paint, const Desk& desk) {
   const Illumination& light = desk.setup.picture.light;
   const bool ramp = !rowOf(desk.setup.show).ownColors && desk.picture.colors().plan() == ColorPlan::OneHue;
   toView_ = vrcRotation(desk.picture.camera().view);
+  const SceneLight& own = desk.picture.scene().light;
+  const InForce inForce{light, own};
   column_ = layoutOfControls(at_, all, desk.setup);
   for (const auto& [id, place] : column_.places) list_.place(id, place);
   drawLightControls(pen, column_,
@@ -239,7 +270,10 @@ void PictureBench::drawColumn(Painter paint, const Desk& desk) {
                      .angles = lightAngles(light, subject.scene.up, subject.centre),
                      .lightInView = toView_ * towardsLight(light, subject.centre),
                      .ball = ballCells(desk.picture, desk.plan, ramp),
-                     .ownLights = !desk.picture.scene().light.lights.empty(),
+                     .ownLights = rowsOf(own.lights),
+                     .ambient = inForce.Ia,
+                     .lights = inForce.Ip,
+                     .IaIsOwn = own.Ia.has_value(),
                      .light = list_.look({'l'}),
                      .Ia = list_.look({'i'}),
                      .Ip = list_.look({'p'})});
@@ -258,13 +292,15 @@ void PictureBench::drawCaption(Painter paint, const Desk& desk) {
     pen.ink(pen.soft(x, y, "The picture: "), y, made);
   y += 16;
   const Illumination& l = p.light;
-  std::string line = "Ia " + fixed(l.Ia, 2) + "  Ip " + fixed(l.Ip, 2) + "  ka " + fixed(l.ka, 2) + "  kd " +
-                     fixed(l.kd, 2) + "  ks " + fixed(l.ks, 2) + "  n " + std::to_string(l.n);
+  const InForce inForce{l, desk.picture.scene().light};
+  std::string line = "Ia " + fixed(inForce.Ia, 2) + "  Ip " + fixed(inForce.Ip, 2) + "  ka " +
+                     fixed(l.ka, 2) + "  kd " + fixed(l.kd, 2) + "  ks " + fixed(l.ks, 2) + "  n " +
+                     std::to_string(l.n);
   if (!at_.compact) {
     if (l.constantL) line += "  L constant";
     if (l.constantV) line += "  V constant";
     line += "; " + std::string{kTables[static_cast<int>(p.table.kind)].name} + " table, " +
-            std::to_string(p.table.shades) + " shades";
+            shadesText(desk.picture);
   }
   const std::string inexact =
       desk.coarse ? "Coarse while dragging: " + captionOf({desk.picture.settings()}) : inexact_;

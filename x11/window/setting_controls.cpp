@@ -89,13 +89,34 @@ Control gammaControl(double shown, std::function<void(double gamma)> change) {
   return control;
 }
 
-Controls settingControls(const Setup& shown, const Setup& defaults, const ChangeSetup& change) {
+std::string ownOfScene(char control, const Scene& scene) {
+  const Setting* const setting = settingOf(control == '[' ? 'i' : control == ']' ? 'p' : control);
+  const std::string_view what = control == 'l' ? "lights" : setting ? setting->replaces : "";
+  if (what == "ambient")
+    return scene.light.Ia ? "The scene has its own ambient light, so Ia cannot be changed." : "";
+  if (what == "lights")
+    return scene.light.lights.empty()
+               ? ""
+               : "The scene has its own lights, so Ip and the light's direction cannot be changed.";
+  const auto own = [&](int material) {
+    if (material < 0) return false;
+    const MeshMaterial& m = scene.mesh.materials[static_cast<std::size_t>(material)];
+    return what == "ka" ? !!m.ka : what == "kd" ? !!m.kd : what == "ks" ? !!m.ks : !!m.n;
+  };
+  if (what.empty() || !std::ranges::all_of(scene.mesh.material, own)) return "";
+  return "All surfaces of the scene have their own " + std::string{what} + ", so it cannot be changed.";
+}
+
+Controls settingControls(const Setup& shown, const Setup& defaults, const ChangeSetup& change,
+                         const Scene& scene) {
   Controls all;
   for (const SliderRow& row : sliders()) all.push_back(sliderControl(row, shown, defaults, change));
   for (const ToggleRow& row : toggles()) all.push_back(toggleControl(row, shown, change));
   for (const ChoiceRow& row : choices()) all.push_back(choiceControl(row, shown, change));
   all.push_back(hueControl(shown, change));
   for (const ChoiceRow& row : others()) all.push_back(choiceControl(row, shown, change));
+  for (Control& control : all)
+    if (control.enabled()) control.off = ownOfScene(control.key, scene);
   return all;
 }
 
@@ -124,6 +145,7 @@ Control lightControl(const Setup& shown, const Subject& subject, const ChangeSet
           .label = "light",
           .is = "where the light is: drag it on the ball",
           .words = "azimuth " + degrees(at.azimuth) + ", elevation " + degrees(at.elevation),
+          .off = ownOfScene('l', subject.scene),
           .move = [=](int along, int up) {
             change('l', [&](Setup& s) {
               turnLight(s.picture.light, subject.scene.up, along, up, subject.centre);

@@ -26,8 +26,12 @@ struct Subject {
 [[nodiscard]] Control settingControl(char key, const Setup& shown, const Setup& defaults, ChangeSetup change);
 /// The screen's gamma that the colours are corrected for: one of kGammas. It is no setting of a picture.
 [[nodiscard]] Control gammaControl(double shown, std::function<void(double gamma)> change);
-/// The controls of all settings, in the order of their rows.
-[[nodiscard]] Controls settingControls(const Setup& shown, const Setup& defaults, const ChangeSetup& change);
+/// The controls of all settings, in the order of their rows. What the scene has of its own is off.
+[[nodiscard]] Controls settingControls(const Setup& shown, const Setup& defaults, const ChangeSetup& change,
+                                       const Scene& scene);
+/// Why the control of a key has no effect on the scene: a sentence, where the scene has of its own what the
+/// setting would say (Setting::replaces). "" if it has not.
+[[nodiscard]] std::string ownOfScene(char control, const Scene& scene);
 
 /// Turning and zooming, as controls that the arrows change.
 [[nodiscard]] Controls cameraControls(const Setup& shown, const Subject& subject, const ChangeSetup& change);

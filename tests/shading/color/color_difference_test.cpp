@@ -1,4 +1,5 @@
 #include "shading/color/color_difference.h"
+#include "tests/support/image_difference.h"
 
 #include <gtest/gtest.h>
 

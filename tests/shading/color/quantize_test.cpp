@@ -11,6 +11,7 @@
 
 #include "shading/color/color_difference.h"
 #include "shading/color/nearest_color.h"
+#include "tests/support/image_difference.h"
 #include "tests/support/quantized.h"
 
 namespace xnewell::THIS_FILE {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "shading/fill/affine.h"
+#include "tests/support/affine_over.h"
 #include "tests/support/random_triangles.h"
 #include "tests/support/seeds.h"
 

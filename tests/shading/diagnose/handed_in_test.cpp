@@ -49,6 +49,22 @@ std::string xwdHead(std::uint32_t bits, std::uint32_t line, std::uint32_t visual
               colors, colors, 2,    1,    0,      0,        0});
 }
 
+std::string little(std::initializer_list<std::int64_t> numbers) {
+  std::string bytes;
+  for (const std::int64_t n : numbers)
+    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(n >> shift & 255);
+  return bytes;
+}
+
+/// A BMP file: its head, what follows it, and its rows.
+std::string bmp(int width, int height, int bits, int packing, const std::string& more = "",
+                const std::string& rows = std::string(8, 'a')) {
+  return "BM" +
+         little({0, 0, 54 + int(more.size()), 40, width, height, bits << 16 | 1, packing, 0, 0, 0,
+                 bits == 8 ? 2 : 0, 0}) +
+         more + rows;
+}
+
 }  // namespace
 
 // One picture of two pixels, as each kind of file.
@@ -60,9 +76,28 @@ TEST_F(HandedInFile, IsReadByWhatIsInIt) {
   EXPECT_EQ(readHandedIn(write("a.ppm", "P6 # a comment\n2 1\n255\n" + samples)).picture, image);
   const std::string wide{"\xC8\xC8\x0A\x0A\x00\x00\x01\x01\x02\x02\x03\x03", 12};
   EXPECT_EQ(readHandedIn(write("a.ppm", "P6 2 1 65535\n" + wide)).picture, image);
+  EXPECT_EQ(readHandedIn(write("a.ppm", "P3\n2 1 255\r\n200 10 0\t1 # end\n2 3")).picture, image);
   const std::string low{"\x00\x0A\xC8\x00\x03\x02\x01\x00", 8}, high{"\x00\xC8\x0A\x00\x00\x01\x02\x03", 8};
   EXPECT_EQ(readHandedIn(write("a.xwd", xwdHead(32, 8, 4, 0, 1) + low)).picture, image);
   EXPECT_EQ(readHandedIn(write("a.xwd", xwdHead(32, 8, 4, 0, 0) + high)).picture, image);
+}
+
+// A picture of two rows as BMP files have it: rows from below or from above, with what fills them up.
+TEST_F(HandedInFile, ReadsBmp) {
+  RgbImage image{1, 2};
+  image.rgb = {255, 0, 0, 0, 255, 255};
+  const std::string red{"\0\0\xFF\0", 4}, cyan{"\xFF\xFF\0\0", 4};
+  EXPECT_EQ(readHandedIn(write("a", bmp(1, 2, 24, 0, "", cyan + red))).picture, image);
+  EXPECT_EQ(readHandedIn(write("a", bmp(1, -2, 32, 0, "", red + cyan))).picture, image);
+  const std::string red555{"\0\x7C\0\0", 4}, cyan555{"\xFF\x03\0\0", 4};
+  EXPECT_EQ(readHandedIn(write("a", bmp(1, 2, 16, 0, "", cyan555 + red555))).picture, image);
+  const std::string masks = little({0xF, 0xF0, 0xF00}), red444{"\x0F\0\0\0", 4}, cyan444{"\xF0\x0F\0\0", 4};
+  EXPECT_EQ(readHandedIn(write("a", bmp(1, 2, 16, 3, masks, cyan444 + red444))).picture, image);
+  const HandedIn in =
+      readHandedIn(write("a", bmp(1, 2, 8, 0, cyan + red, std::string{"\0\0\0\0\1\0\0\0", 8})));
+  EXPECT_EQ(in.picture, image);
+  ASSERT_TRUE(in.cells);
+  EXPECT_EQ(in.cells->pixels, (std::vector<std::uint8_t>{1, 0}));
 }
 
 // A palette keeps its indices, also with few bits a pixel.
@@ -90,14 +125,21 @@ TEST_F(HandedInFile, KeepsCells) {
 // A file that is not whole, not what it says, or too large is refused in one line, before memory is taken
 // for it.
 TEST_F(HandedInFile, RefusesBrokenFiles) {
-  refused("", "not a PNG, PPM or XWD picture");
-  refused("hello", "not a PNG, PPM or XWD picture");
+  refused("", "not a PNG, PPM, BMP or XWD picture");
+  refused("hello", "not a PNG, PPM, BMP or XWD picture");
   refused("\x89PNG", "not a PNG file");
   refused("P6 2 1 255\nabc", "the file ends early");
   refused("P6 2", "the file ends early");
   refused("P6 99999 99999 255\nabc", "larger than 8192 pixels");
   refused("P6 2 1 70000\nabc", "65535");
   refused("P6 -2 1 255\nabc", "no whole number");
+  refused("P3 2 1 255 1 2 3 4 5 x", "no whole number");
+  refused("P3 8000 8000 255 1 2 3", "the file ends early");
+  refused("\xFF\xD8\xFF\xE0", "a JPEG picture; its compression changes the colours");
+  refused(bmp(2, 1, 24, 0).substr(0, 60), "the file ends early");
+  refused(bmp(-2, 1, 24, 0), "larger than 8192");
+  refused(bmp(2, 1, 4, 0), "no 8, 16, 24 or 32 bits");
+  refused(bmp(2, 1, 8, 1), "compressed");
   refused(xwdHead(32, 8, 4, 0, 1) + "abc", "the file ends early");
   refused(xwdHead(32, 4, 4, 0, 1) + "abcdefgh", "the rows of the window dump do not fit");
   refused(xwdHead(1, 4, 4, 0, 1) + "abcdefgh", "no 8, 16, 24 or 32 bits");
@@ -114,7 +156,11 @@ TEST_F(HandedInFile, RefusesBrokenFiles) {
 TEST_F(HandedInFile, SurvivesChangedBytes) {
   IndexImage cells{20, 10, 3};
   Palette palette{};
-  const std::vector<std::string> whole{encodePng(cells, palette), "P6 4 2 255\n" + std::string(24, 'a'),
+  const std::vector<std::string> whole{encodePng(cells, palette),
+                                       "P3 2 1 255 1 2 3 4 5 6",
+                                       bmp(1, 2, 8, 0, std::string(8, 'b')),
+                                       bmp(2, 1, 24, 0),
+                                       "P6 4 2 255\n" + std::string(24, 'a'),
                                        xwdHead(32, 8, 4, 0, 1) + "abcdefgh"};
   for (unsigned seed = 0; seed < 300; ++seed) {
     std::mt19937 rng{seed};

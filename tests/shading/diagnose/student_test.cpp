@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <iostream>
 #include <map>
 #include <set>
 #include <string>
@@ -35,9 +34,6 @@ class Students {
     program.width = settings_.width, program.height = settings_.height;
     return (*diagnoser_)(handedInBy(student::draw(world_, program), indexed));
   }
-
-  /// From now on the program does not know this mistake; "" for all.
-  void leaveOut(std::string_view key) { diagnoser_->leaveOut(key); }
 
   /// True if no sample shows the mistake: each is within `most` shades of right.
   [[nodiscard]] bool isInvisible(const std::string& key, double most) {
@@ -130,57 +126,7 @@ Confusion confusionOn(const std::string& scene) {
   return all;
 }
 
-/// What becomes of mistakes that are not in the list: every `nth` is planted and left out.
-struct LeftOut {
-  int all = 0, none = 0, right = 0, number = 0, other = 0;
-
-  void count(Students& students, int nth) {
-    const std::vector<std::string> keys = students.keys(Meaning::Wrong);
-    for (std::size_t k = 0; k < keys.size(); k += static_cast<std::size_t>(nth)) {
-      students.leaveOut(keys[k]);
-      const Diagnosis d = students.diagnosed({.mistake = keys[k]});
-      const auto isIt = [&](const Fit& f) {
-        return f.first->key == keys[k] || (f.second && f.second->key == keys[k]);
-      };
-      EXPECT_TRUE(std::ranges::none_of(d.found, isIt)) << keys[k];
-      ++all;
-      ++(isRight(d)                                                          ? right
-         : d.verdict == Marking::Unknown || d.verdict == Marking::OtherScene ? none
-         : d.verdict == Marking::Numbers                                     ? number
-                                                                             : other);
-    }
-    students.leaveOut({});
-  }
-  [[nodiscard]] std::string inWords() const {
-    return std::to_string(all) + " left out: " + std::to_string(none) + " none of these or another scene, " +
-           std::to_string(right) + " right, " + std::to_string(number) + " another number, " +
-           std::to_string(other) + " another name";
-  }
-};
-
 }  // namespace
-
-// A mistake that is not in the list is mostly "none of these".
-TEST(Diagnose, SeldomNamesAnotherForWhatIsLeftOut) {
-  Students students{"bench-n3", Shading::Flat, TableKind::Linear};
-  LeftOut some;
-  some.count(students, kSanitized ? 20 : 6);
-  EXPECT_GT(2 * some.none, some.all) << some.inWords();
-}
-
-// The figures of the manual. It takes minutes, so only its own command runs it:
-// shading_tests --gtest_also_run_disabled_tests --gtest_filter='*CountsWhatIsLeftOut'
-TEST(Diagnose, DISABLED_CountsWhatIsLeftOut) {
-  for (const char* const scene : {"bench-n3", "teapot"}) {
-    LeftOut whole;
-    for (const TableKind table : {TableKind::Linear, TableKind::Corrected})
-      for (const Shading method : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
-        Students students{scene, method, table};
-        whole.count(students, 1);
-      }
-    std::cout << scene << ": " << whole.inWords() << '\n';
-  }
-}
 
 // The confusion table on the bench: a second program plants each mistake, and none gets a wrong name. A class
 // of two stands where both are the same picture: V-sign and R-sign by algebra, cell-off-by-one and table-i-11

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "shading/color/font.h"
 #include "shading/figure/make_figure.h"
 #include "shading/figure/write_figure.h"
 #include "shading/picture/picture_cache.h"
@@ -239,19 +243,47 @@ TEST(VectorFigure, WritesStrokes) {
   EXPECT_NE(epsOf(figure).find("128 w 0 J [768] 0 d\n0 0 m\n256 512 L\nS\n"), std::string::npos);
 }
 
-// Texts are texts, in Latin-1 where a format needs it.
+// In SVG a text is a text. PDF and EPS show the pixels of the program's font and need no other: the
+// rectangles of both cover the glyph's doubled pixels, each once.
 TEST(VectorFigure, WritesTexts) {
   VectorFigure figure = smallFigure();
-  figure.texts = {{{256, 512}, {255, 0, 0}, 3072, "(\u00FC)"}};
+  constexpr int kPixel = 256;  // half a pixel of the font, in steps
+  figure.texts = {{{512, 25600}, {255, 0, 0}, 2 * kGlyphHeight * kPixel, "\u03B8<"}};
   EXPECT_NE(svgOf(figure).find(
-                "<text x=\"256\" y=\"512\" fill=\"#f00\" font-family=\"Helvetica, Arial, sans-serif\" "
-                "font-size=\"3072\">(\u00FC)</text>\n</g>"),
+                "<text x=\"512\" y=\"25600\" fill=\"#f00\" font-family=\"Helvetica, Arial, sans-serif\" "
+                "font-size=\"6656\">\u03B8&lt;</text>\n</g>"),
             std::string::npos);
-  EXPECT_NE(pdfOf(figure).find("BT /F 3072 Tf 1 0 0 -1 256 512 Tm (\\(\\374\\)) Tj ET\n"), std::string::npos);
-  EXPECT_NE(pdfOf(figure).find("/Font<</F<<"), std::string::npos);
-  EXPECT_EQ(pdfOf(smallFigure()).find("/Font"), std::string::npos);
-  EXPECT_NE(epsOf(figure).find("256 512 m 1 -1 scale /F findfont 3072 scalefont setfont (\\(\\374\\)) show"),
-            std::string::npos);
+  for (const auto& [name, file] : {std::pair{"PDF", pdfOf(figure)}, {"EPS", epsOf(figure)}}) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(file.find("ont"), std::string::npos);
+    std::istringstream lines{file.substr(file.find("\n1 0 0 ") + 1)};
+    std::map<std::array<int, 2>, int> inked;
+    std::vector<glm::ivec2> at;
+    const bool pdf = std::string_view{name} == "PDF";
+    for (std::string line; std::getline(lines, line);) {
+      int x = 0, y = 0;
+      char what = 0;
+      if (line == "h") {
+        ASSERT_EQ(at.size(), 4u);
+        for (int i = at[0].x; i < at[2].x; i += kPixel)
+          for (int j = at[0].y; j < at[2].y; j += kPixel) ++inked[{(i - 512) / kPixel, (j - 25600) / kPixel}];
+        at.clear();
+      } else if (std::sscanf(line.c_str(), "%d %d %c", &x, &y, &what) == 3 && (what == 'm' || what == 'l')) {
+        at.push_back(pdf || what == 'm' ? glm::ivec2{x, y} : at.back() + glm::ivec2{x, y});
+      }
+    }
+    int all = 0;
+    for (int letter = 0; letter < 2; ++letter) {
+      const DoubledGlyph glyph = scale2x(*glyphOf(letter == 0 ? U'\u03B8' : U'<'));
+      for (int j = 0; j < 2 * kGlyphHeight; ++j)
+        for (int i = 0; i < 2 * kGlyphWidth; ++i) {
+          const bool on = glyph[j] >> (2 * kGlyphWidth - 1 - i) & 1;
+          all += on;
+          EXPECT_EQ((inked[{2 * kGlyphWidth * letter + i, j - 2 * kGlyphAscent}]), on) << i << ", " << j;
+        }
+    }
+    EXPECT_EQ(std::ranges::count_if(inked, [](const auto& p) { return p.second > 0; }), all);
+  }
 }
 
 TEST(VectorFigure, KnowsItsFormatsByTheEndOfTheName) {

@@ -11,6 +11,7 @@
 #include "geometry/exact/int128.h"
 #include "geometry/view/project.h"
 #include "geometry/view/scanline.h"
+#include "tests/support/affine_over.h"
 
 namespace xnewell::THIS_FILE {
 

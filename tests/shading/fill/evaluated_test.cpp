@@ -9,6 +9,7 @@
 #include "geometry/model/solids.h"
 #include "geometry/view/scanline.h"
 #include "shading/fill/evaluate_pixels.h"
+#include "tests/support/illuminate.h"
 #include "tests/support/random_triangles.h"
 
 namespace xnewell::THIS_FILE {

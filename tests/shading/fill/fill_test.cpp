@@ -10,6 +10,7 @@
 #include "geometry/view/project.h"
 #include "shading/fill/environment_map.h"
 #include "shading/fill/gouraud.h"
+#include "tests/support/affine_over.h"
 #include "tests/support/seeds.h"
 
 namespace xnewell::THIS_FILE {

@@ -140,6 +140,8 @@ TEST(Profile, BandsAreAtEdgesOfFaces) {
   EXPECT_EQ(bands(roof(0.249)), std::vector<double>{});
   EXPECT_EQ(bands([](double x) { return std::abs(x - 50) / 50; }), std::vector<double>{});
   EXPECT_EQ(bands([](double x) { return 1.5 * x * x / kAll / kAll; }), std::vector<double>{});
+  // A steep smooth curve, as of a highlight, has none, however many faces it is made of.
+  EXPECT_EQ(bands([](double x) { return std::exp(-(x - 50) * (x - 50) / 200); }), std::vector<double>{});
   runs[1].joinsNext = false;
   EXPECT_EQ(bands(stairs(0.1)), (std::vector<double>{20, 60, 80}));
 }

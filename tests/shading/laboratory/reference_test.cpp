@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -290,6 +291,32 @@ TEST(Reference, KnowsWhichFacesAreRound) {
       }
       ASSERT_EQ(farthest < 1e-12, inRun) << f;
     }
+}
+
+// Where a file has normals, the truth lies between them, so Phong shading with them is right, and with those
+// of the faces it is not.
+TEST(Reference, TakesTheNormalsOfAFile) {
+  Mesh mesh;
+  mesh.points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  std::vector<glm::dvec3> N;
+  for (const glm::dvec3& p : mesh.points) N.push_back(glm::normalize(p + glm::dvec3{0, 0, 2}));
+  mesh.groupNames = {"square"};
+  mesh.addFace(std::array{0, 1, 2, 3}, 0, -1, {}, N);
+  const Scene scene = makeScene("square", std::move(mesh), UpAxis::Y);
+  const auto largestError = [&](NormalRule rule) {
+    PictureSettings s = settingsOf(scene);
+    s.shading = Shading::Phong, s.normals = rule;
+    const Picture picture = makePicture(scene, s);
+    const Reference reference{picture};
+    const SeenRows rows = picture.seen(0, kHeight);
+    const std::vector<double> I = picture.intensities(rows, 0);
+    double largest = 0;
+    for (std::size_t k = 0; k < I.size(); ++k)
+      if (rows.faces[k] >= 0) largest = std::max(largest, std::abs(I[k] - reference.I(k)[0]));
+    return largest;
+  };
+  EXPECT_LT(largestError(scene.settings.normals), 1e-3);
+  EXPECT_GT(largestError(NormalRule::Exact), 0.05);
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "shading/fill/intensities.h"
+#include "tests/support/illuminate.h"
 
 namespace xnewell::THIS_FILE {
 

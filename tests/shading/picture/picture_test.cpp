@@ -19,6 +19,7 @@
 #include "shading/scene/units.h"
 #include "tests/support/painted_picture.h"
 #include "tests/support/small_picture.h"
+#include "tests/support/triangle_soup.h"
 
 namespace xnewell::THIS_FILE {
 

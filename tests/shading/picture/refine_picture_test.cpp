@@ -12,6 +12,7 @@
 #include "tests/support/lit_floor.h"
 #include "tests/support/lit_solids.h"
 #include "tests/support/painted_picture.h"
+#include "tests/support/triangle_soup.h"
 
 namespace xnewell::THIS_FILE {
 

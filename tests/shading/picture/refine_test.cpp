@@ -14,6 +14,7 @@
 #include "tests/support/lit_floor.h"
 #include "tests/support/lit_solids.h"
 #include "tests/support/seeds.h"
+#include "tests/support/triangle_soup.h"
 
 namespace xnewell::THIS_FILE {
 

@@ -191,7 +191,7 @@ TEST_F(MapKd, SaysWhatItCannotShow) {
   const std::string obj = std::string{kObj} + "usemtl other\nf 1/1 2/2 3/3\nusemtl third\nf 1 2 3\n";
   const Scene s = scene(
       "newmtl pictured\nmap_Kd t.png\nnewmtl other\nmap_Kd -clamp off -blendu on .\\deep\\my t.PNG\n"
-      "newmtl third\nmap_Kd t.png\nnewmtl unused\nmap_Kd gone.png\n",
+      "newmtl third\nmap_Kd C:\\Users\\me\\t.png\nnewmtl unused\nmap_Kd gone.png\n",
       obj);
   EXPECT_TRUE(s.mesh.notes.empty());
   EXPECT_EQ(s.textures.size(), 2u);
@@ -209,12 +209,12 @@ TEST_F(MapKd, SaysWhatItCannotShow) {
   };
   const std::string place = file("a.mtl") + ":2: ";
   EXPECT_EQ(noted("map_Kd t.jpg", kObj),
-            place + "the texture 't.jpg' is not a .png file: its surfaces have Kd");
-  EXPECT_EQ(
-      noted("map_Kd gone.png", kObj),
-      place + "the texture 'gone.png' cannot be read (No such file or directory): its surfaces have Kd");
+            place + "the texture '" + file("t.jpg") + "' is not a .png file: its surfaces have Kd");
+  EXPECT_EQ(noted("map_Kd gone.png", kObj),
+            place + "the texture '" + file("gone.png") +
+                "' cannot be read (No such file or directory): its surfaces have Kd");
   EXPECT_EQ(noted("map_Kd t.png", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl pictured\nf 1 2 3\n"),
-            place + "the texture 't.png' is not shown: its faces have no vt");
+            place + "the texture '" + file("t.png") + "' is not shown: its faces have no vt");
   const auto refused = [&](const std::string& map) {
     return complaint([&] { return scene("newmtl pictured\nmap_Kd " + map + "\n"); });
   };

@@ -12,6 +12,7 @@
 #include "tests/support/model_view.h"
 #include "tests/support/painted.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/triangle_soup.h"
 
 namespace xnewell::THIS_FILE {
 

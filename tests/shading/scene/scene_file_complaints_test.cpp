@@ -9,6 +9,12 @@ namespace xnewell::THIS_FILE {
 TEST(SceneFile, ComplaintsNameThePlace) {
   EXPECT_EQ(complaint("{\n\"objects\": [\n1,,\n]}"), "s.json:3: not valid JSON here");
   EXPECT_EQ(complaint(""), "s.json:1: not valid JSON here");
+  // A bracket that is not closed is found where it opens, not where the text ends or closes another.
+  EXPECT_EQ(complaint("{\n\"objects\": [\n{\"name\": \"}\",\n\"polygons\": []\n]}"),
+            "s.json:3: this { is not closed");
+  EXPECT_EQ(complaint("{\"objects\": [\n{\"name\": \"a\",\n\"polygons\": []\n,\n{\"name\": \"b\"}]}"),
+            "s.json:2: this { is not closed");
+  EXPECT_EQ(complaint("{\n\"objects\": [\n\n"), "s.json:2: this [ is not closed");
   EXPECT_EQ(complaint("[]"), "s.json: an object { } is needed");
   EXPECT_EQ(complaint("{}"), "s.json: the scene has no faces");
   EXPECT_EQ(
@@ -147,7 +153,7 @@ TEST(SceneFile, ComplaintsOfEachPart) {
   EXPECT_EQ(shading(R"("method": "Gouraud")"),
             "s.json: shading.method: 'Gouraud' is not one of none, depth, flat, gouraud, phong, envmap");
   EXPECT_EQ(shading(R"("normals": 3)"),
-            "s.json: shading.normals: '3' is not one of sum, distinct, area, angle, exact");
+            "s.json: shading.normals: '3' is not one of sum, distinct, area, angle, exact, file");
   EXPECT_EQ(shading(R"("shade": "flat")").substr(0, 36), "s.json: shading: unknown key 'shade'");
   EXPECT_EQ(shading(R"("crease": 181)"), "s.json: shading.crease: a number from 0 to 180 is needed");
   EXPECT_EQ(shading(R"("dither": 1)"), "s.json: shading.dither: true or false is needed");

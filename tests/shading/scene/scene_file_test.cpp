@@ -123,7 +123,7 @@ TEST(SceneFile, PatchesAreTransformedThemselves) {
   ASSERT_EQ(s.patches.size(), 1u);
   EXPECT_EQ(s.patches[0].firstCorner, 24);
   EXPECT_EQ(s.patches[0].divisions, 24);
-  const std::vector<glm::dvec3> exact = exactNormals(s);
+  const std::vector<glm::dvec3> exact = exactNormals(s, NormalRule::Exact);
   ASSERT_EQ(exact.size(), s.mesh.corners.size());
   int compared = 0, apart = 0;
   for (int f = 6; f < s.mesh.faceCount(); ++f) {
@@ -248,6 +248,47 @@ TEST(SceneFile, RoundingOfTurnedObjects) {
   const double ofDoubles = rounding(R"({"solid": "cube", "rotate": [1, 2, 3]})");
   EXPECT_GT(ofDoubles, 0x1p-52);
   EXPECT_LT(ofDoubles, 0x1p-48);
+}
+
+// Normals of a file stay perpendicular to the surface when its object is scaled and turned, and they are on
+// the front of their face. A scene that has some begins with them.
+TEST(SceneFile, TakesNormalsOfModelsAlong) {
+  const TemporaryFolder folder;
+  (void)folder.write("a.obj",
+                     "v 0 0 0\nv 1 0 1\nv 1 1 1\nv 0 1 0\nvn -1 0 1\nvn 1 0 -1\nvn 0 0 1\n"
+                     "f 1//1 2//3 3//1 4//1\nf 1//2 2//2 3\n");
+  const std::string objects = R"("objects": [{"polygons": [[[9, 0, 0], [9, 1, 0], [9, 0, 1]]]},
+      {"file": "a.obj", "scale": [2, 1, 1], "rotate": [0, 0, 90], "move": [5, 5, 5]}])";
+  const auto read = [&](const std::string& more) {
+    return readScene(folder.write("s.json", "{" + objects + more + "}"));
+  };
+  const Scene scene = read("");
+  EXPECT_EQ(scene.settings.normals, NormalRule::File);
+  EXPECT_EQ(read(R"(, "shading": {"method": "gouraud", "normals": "sum"})").settings.normals,
+            NormalRule::Sum);
+  ASSERT_EQ(scene.mesh.normals.size(), 10u);
+  const glm::dvec3 slope{0, -1 / std::sqrt(5.0), 2 / std::sqrt(5.0)}, none{0.0};
+  const std::vector<glm::dvec3> expected{none,  none,  none,  slope, {0, 0, 1},
+                                         slope, slope, slope, slope, none};
+  for (int c = 0; c < 10; ++c) EXPECT_LT(glm::distance(scene.mesh.normals[c], expected[c]), 1e-15) << c;
+}
+
+// Faces that people rarely mean are noted: those that cross themselves, with an area or without, and bent
+// ones.
+TEST(SceneFile, NotesCrossingAndBentFaces) {
+  const auto notes = [](const std::string& face) {
+    const TemporaryFolder folder;
+    return readScene(folder.write("odd.json", withObject(R"({"polygons": [)" + face + "]}"))).mesh.notes;
+  };
+  const auto says = [&](const std::string& face, const char* what) {
+    const std::vector<std::string> all = notes(face);
+    return all.size() == 1 && all.front().find(what) != std::string::npos;
+  };
+  EXPECT_TRUE(says("[[0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]]", "face 0 crosses itself"));
+  EXPECT_TRUE(says("[[0, 0, 0], [2, 0, 2], [2, 0, 0], [0, 0, 1]]", "face 0 crosses itself"));
+  EXPECT_TRUE(says("[[0, 0, 0], [1, 0, 0], [1, 1, 0.1], [0, 1, 0]]", "face 0 is bent"));
+  EXPECT_TRUE(notes("[[0, 0, 0], [3, -2, 0], [1, 0, 0], [3, 2, 0]]").empty());
+  EXPECT_TRUE(notes("[[0, 0, 0], [1, 0, 0], [0, 1, 0]]").empty());
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -5,6 +5,7 @@
 
 #include "geometry/files/parse_error.h"
 #include "tests/x11/support/command_fixture.h"
+#include "tests/x11/support/find_text.h"
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/command/read_lecture.h"
 #include "x11/lessons/lesson_bench.h"
@@ -287,6 +288,13 @@ TEST_F(LectureTest, NeedsAFileAndAServer) {
   const Finished end = runProgram({"lecture", lecture(kThree)});
   EXPECT_EQ(end.status, 1);
   EXPECT_NE(end.err.find("DISPLAY is not set"), std::string::npos) << end.err;
+}
+
+// A long title of a page is whole, also in views beside whose names it has no room.
+TEST_F(LectureTest, TitlesAreWhole) {
+  const std::string title = "Why does the sort cut this polygon, and not another one?";
+  Shown b{lecture("{\"title\": \"" + title + "\", \"show\": \"cycle --view depthsort\"}")};
+  EXPECT_FALSE(findText(b.image(), title, b.plan()[Cell::Soft]).empty());
 }
 
 }  // namespace xnewell::THIS_FILE

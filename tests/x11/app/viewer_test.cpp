@@ -75,6 +75,28 @@ TEST_P(ViewerAt, NewHueStoresColorsAndDrawsNothingWhereCellsAreReal) {
   }
 }
 
+// Under a layout of other letters, a key has the Latin letter of the layout's other group, with Shift and
+// with Caps Lock.
+TEST(Viewer, TakesTheLetterOfAnotherGroup) {
+  const XServer server = serverFor(24);
+  const RgbImage amber = freshWindow(server, kTeapot + " --hue 1,0.7,0"), red = freshWindow(server, kTeapot);
+  const WatchedViewer viewer{server, kTeapot};
+  ASSERT_TRUE(viewer.window.comesToShow(red, kSeen));
+  std::array<KeySym, 4> er{XK_Cyrillic_er, XK_Cyrillic_ER, XK_h, XK_H};
+  const KeyCode h = XKeysymToKeycode(viewer.window.display(), XK_h);
+  XChangeKeyboardMapping(viewer.window.display(), h, 4, er.data(), 1);
+  XSync(viewer.window.display(), False);
+  XEvent changed{};  // so that this test finds the keys of the letters, too
+  changed.xmapping.type = MappingNotify, changed.xmapping.display = viewer.window.display();
+  changed.xmapping.request = MappingKeyboard, changed.xmapping.first_keycode = h, changed.xmapping.count = 1;
+  XRefreshKeyboardMapping(&changed.xmapping);
+  viewer.window.press(XK_Cyrillic_er, true);
+  EXPECT_TRUE(viewer.window.comesToShow(amber, kSeen));
+  viewer.window.press(XK_Caps_Lock);
+  for (int k = 0; k < 4; ++k) viewer.window.press(XK_Cyrillic_er);
+  EXPECT_TRUE(viewer.window.comesToShow(red, kSeen));
+}
+
 // A change of table, shades or I0 gives intensities other cells. Colours and indices arrive together, between
 // GrabServer and UngrabServer. Then the window looks like a fresh start with these values.
 TEST_P(ViewerAt, CellsAndIndicesChangeInOneFrame) {

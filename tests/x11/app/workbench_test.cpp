@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <random>
 #include <span>
 
+#include "shading/color/png.h"
 #include "tests/support/seeds.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/x11/support/find_text.h"
 #include "tests/x11/support/ready_workbench.h"
 
 namespace xnewell::THIS_FILE {
@@ -370,6 +373,57 @@ TEST(Workbench, AnyViewsSetupIsACommand) {
     EXPECT_NE(copied[0].find(found), std::string::npos) << copied[0];
     EXPECT_NE(copied[0].find(" --divisions 3 --shade phong -o picture.png"), std::string::npos) << copied[0];
     copied.clear();
+  }
+}
+
+// `e` opens what the command line opens, also a picture that carries its set-up.
+TEST(Workbench, OpensAPictureThatCarriesItsSetup) {
+  const TemporaryFolder folder;
+  ReadyWorkbench b;
+  const Palette palette{};
+  const IndexImage image{8, 8, 0};
+  std::ofstream{folder.file("one.png"), std::ios::binary}
+      << encodePng(image, palette, "xnewell draw cubes --size 8x8 --shade phong -o picture.png");
+  b.type("e");
+  for (int k = 0; k < 10; ++k) b.press({NamedKey::Backspace});
+  b.type(folder.file("one.png"));
+  b.does({NamedKey::Return});
+  EXPECT_EQ(b.scene().name, "cubes");
+  EXPECT_EQ(b.setup().picture.shading, Shading::Phong);
+}
+
+// Esc goes back to the view from which one came, once.
+TEST(Workbench, EscGoesBack) {
+  ReadyWorkbench b;
+  b.type("4");
+  b.finish();
+  b.explain(0.5, 0.5);
+  b.finish();
+  ASSERT_EQ(b.view(), WindowView::Pixel);
+  b.does({NamedKey::Escape});
+  EXPECT_EQ(b.view(), WindowView::MachBands);
+  b.does({NamedKey::Escape});
+  EXPECT_EQ(b.view(), WindowView::MachBands);
+}
+
+// A mistake in the equation warns, also in a view that shows little of it.
+TEST(Workbench, AMistakeWarns) {
+  ReadyWorkbench b;
+  b.does('E');
+  ASSERT_NE(b.setup().picture.light.mistake, Mistake::None);
+  EXPECT_TRUE(b.complains());
+}
+
+// No key of the list of all keys runs into the words beside it.
+TEST(Workbench, TheListOfAllKeysHasRoomForThem) {
+  for (const WindowViewRow& row : kWindowViews) {
+    ReadyWorkbench b;
+    b.switchTo(row.id);
+    b.finish();
+    b.does('?');
+    for (const HelpLine& line : helpOf(b.keys()))
+      EXPECT_FALSE(findText(b.image(), line.keys + " ", b.plan()[Cell::Ink], 1, Voice::Bold).empty())
+          << row.name << ": " << line.keys;
   }
 }
 

@@ -10,6 +10,7 @@
 #include "geometry/files/obj.h"
 #include "geometry/model/solids.h"
 #include "tests/support/seeds.h"
+#include "tests/support/triangle_soup.h"
 #include "tests/x11/support/command_fixture.h"
 
 namespace xnewell::THIS_FILE {

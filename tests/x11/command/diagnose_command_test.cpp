@@ -137,7 +137,7 @@ TEST_F(CommandTest, DiagnoseNamesNoScene) {
 // What cannot be diagnosed is refused in one line.
 TEST_F(CommandTest, DiagnoseRefuses) {
   refused({"diagnose"}, 2, "diagnose needs a scene, such as teapot");
-  refused({"diagnose", "bench"}, 2, "diagnose needs, after the scene, PICTURE, a PNG, PPM or XWD file");
+  refused({"diagnose", "bench"}, 2, "diagnose needs, after the scene, PICTURE, a PNG, PPM, BMP or XWD file");
   refused({"diagnose", "bench", file("none.png")}, 1, file("none.png") + ": No such file or directory");
   ASSERT_EQ(runProgram({"draw", "bench", "--size", "320x240", "-o", file("a.png")}).status, 0);
   refused({"diagnose", "bench", file("a.png"), "--shade", "depth"}, 2,

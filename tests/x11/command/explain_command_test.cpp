@@ -322,4 +322,13 @@ TEST_F(CommandTest, ExplainRefuses) {
   refused({"draw", "teapot", "3,3", "-o", file("a.png")}, 2, "unexpected argument: '3,3'");
 }
 
+// Only a face that has convex parts is named with one; a group whose name has a point is none.
+TEST_F(CommandTest, ExplainSpeaksOfPartsWhereThereAreSome) {
+  const std::string scene =
+      write("dot.json", R"({"objects": [{"name": "a.b", "polygons": [[[0, 0, 0], [1, 0, 0], [0, 1, 0]]]}]})");
+  const auto end = runProgram({"explain", scene, "380,320"});
+  EXPECT_NE(end.out.find("0, a.b"), std::string::npos) << end.out << end.err;
+  EXPECT_EQ(end.out.find("convex part"), std::string::npos) << end.out;
+}
+
 }  // namespace xnewell::THIS_FILE

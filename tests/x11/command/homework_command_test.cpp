@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "shading/color/png.h"
+#include "shading/scene/scene.h"
 #include "tests/x11/support/command_fixture.h"
 
 namespace xnewell::THIS_FILE {
@@ -126,6 +129,36 @@ TEST_F(CommandTest, QuestionsAreWritten) {
   EXPECT_TRUE(contents(file("q.gift")).starts_with("// questions in Moodle's GIFT format\n"));
   EXPECT_EQ(runProgram({"questions", "cycle", "--count", "30", "--seed", "4"}).out, end.out);
   refused({"questions"}, 2, "questions needs a scene, such as teapot");
+}
+
+// A sort by one z of each face is right on no scene of the exercises but the one that asks for it.
+TEST_F(CommandTest, JudgeTellsSortsByZApart) {
+  const auto sortedBy = [&](const std::string& scene, const auto& zOf) {
+    const Scene read = readScene(scene);
+    std::vector<std::pair<double, int>> order;
+    for (int f = 0; f < read.mesh.faceCount(); ++f) {
+      double far = 1e9, near = -1e9, sum = 0;
+      for (const int p : read.mesh.face(f)) {
+        const double z = read.mesh.points[static_cast<std::size_t>(p)].z;
+        far = std::min(far, z), near = std::max(near, z), sum += z;
+      }
+      order.emplace_back(zOf(far, near, sum / static_cast<double>(read.mesh.face(f).size())), f);
+    }
+    std::ranges::sort(order);
+    std::ofstream out{file("order.jsonl")};
+    for (const auto& [z, f] : order) out << "{\"face\": " << f << "}\n";
+    out.close();
+    return runProgram({"judge", scene, file("order.jsonl")}).status;
+  };
+  const auto farthest = [](double far, double, double) { return far; };
+  const auto nearest = [](double, double near, double) { return near; };
+  const auto mean = [](double, double, double middle) { return middle; };
+  EXPECT_EQ(sortedBy("leaning-card", farthest), 0);
+  EXPECT_EQ(sortedBy("leaning-card", nearest), 1);
+  EXPECT_EQ(sortedBy("leaning-card", mean), 1);
+  EXPECT_EQ(sortedBy("leaning-cards", farthest), 1);
+  EXPECT_EQ(sortedBy("leaning-cards", nearest), 1);
+  EXPECT_EQ(sortedBy("leaning-cards", mean), 1);
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -10,6 +10,7 @@
 #include "tests/x11/support/lesson_window.h"
 #include "x11/app/workbench.h"
 #include "x11/drawing/painter.h"
+#include "x11/stepper/sort_run.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -391,6 +392,18 @@ TEST(LessonBench, InTheWindow) {
   // All of the window but the times in the status line.
   for (int j = 0; j < window.layout().status.y; ++j)
     ASSERT_TRUE(std::equal(before.row(j), before.row(j) + before.width, window.image().row(j))) << j;
+}
+
+// From a step that shows an event of the sort, 2 goes to this event.
+TEST(LessonBench, TheStepperBeginsAtTheEvent) {
+  LessonWindow window;
+  begin(window, "cycles");
+  window.bench.goTo(3);
+  window.draw();
+  ASSERT_TRUE(window.press('2'));
+  const SortRun run{*window.shown, 0};
+  ASSERT_GT(window.sortedFrom, 0);
+  EXPECT_EQ(run.sorted().events[static_cast<std::size_t>(window.sortedFrom - 1)].kind, Event::Kind::Cycle);
 }
 
 }  // namespace xnewell::THIS_FILE

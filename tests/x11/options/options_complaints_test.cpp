@@ -190,6 +190,8 @@ TEST(Options, FiguresAreOfPolygons) {
   EXPECT_EQ(figure({"--paper", "white"}),
             "--paper: 'white' is not #rrggbb, a colour by six hexadecimal digits");
   EXPECT_EQ(complaint({"--paper", "#ffffff"}), "--paper works only with figure");
+  EXPECT_EQ(figure({"--edges", "all", "--edge-color", "#80808"}),
+            "--edge-color: '#80808' is not #rrggbb, a colour by six hexadecimal digits");
   EXPECT_EQ(figure({"--costs"}), "--costs works only with draw and snapshot");
   EXPECT_EQ(figure({"--shade", "phong", "--tolerance", "0"}), "");
   EXPECT_EQ(figure({"--edges", "all"}), "");

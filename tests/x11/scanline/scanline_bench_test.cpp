@@ -253,6 +253,19 @@ TEST(ScanlineBench, TheBooksLinesRun) {
   const IndexImage before = b.image();
   b.does('x');
   EXPECT_NE(b.image(), before);
+  // With 8 bits, too, the value that is painted is the one whose whole part is the cell.
+  while (b.run().bits() != 8) b.does('B');
+  int other = 0;
+  for (int step = 1; step <= b.run().steps(); ++step) {
+    const ScanSample& sample = b.run().samples()[static_cast<std::size_t>(step - 1)];
+    const std::vector<CodeLine> lines = scanlineCode(b.run(), step);
+    const auto adds = std::ranges::find_if(
+        lines, [](const CodeLine& line) { return line.text.find("V = V + d") != std::string::npos; });
+    ASSERT_NE(adds, lines.end());
+    EXPECT_EQ(static_cast<int>(std::stod(adds->values)), sample.steppedCell) << adds->values;
+    other += sample.steppedCell != sample.directCell;
+  }
+  EXPECT_GT(other, 0);
 }
 
 }  // namespace xnewell::THIS_FILE

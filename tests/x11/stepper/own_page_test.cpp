@@ -165,4 +165,13 @@ TEST(OwnPage, SizesCanBeRead) {
     }
 }
 
+// After `t` a digit that names no test says so; it does not open another view.
+TEST(OwnPage, OnlyTestsHaveDigits) {
+  OwnPage page{"cycle"};
+  page.press("cpt6");
+  EXPECT_TRUE(page.taken);
+  ASSERT_FALSE(page.notices.empty());
+  EXPECT_EQ(page.notices.back(), "There are five tests, 1 to 5.");
+}
+
 }  // namespace xnewell::THIS_FILE

@@ -9,12 +9,13 @@
 #include <random>
 #include <set>
 
+#include "shading/color/font.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/seeds.h"
 #include "tests/x11/support/shown_sort_page.h"
-#include "x11/drawing/font.h"
 #include "x11/stepper/outline.h"
+#include "x11/stepper/sort_code.h"
 #include "x11/stepper/sort_wording.h"
 
 namespace xnewell::THIS_FILE {
@@ -340,6 +341,27 @@ TEST(SortPage, EveryStepHasAFinding) {
     }
   }
   EXPECT_GE(kinds.size(), 6u);
+}
+
+// The lines that the book does not have are named, and P stands where it came from: at the first of the list
+// or at the move.
+TEST(SortPage, SaysWhichLinesAreOursAndWherePIsFrom) {
+  Page page{readScene("cycle")};
+  SortRun& run = *page.run;
+  bool moved = false;
+  for (int step = 1; step <= run.steps(); ++step) {
+    run.goTo(step);
+    const Event& e = run.sorted().events[static_cast<std::size_t>(step - 1)];
+    moved = e.kind == Event::Kind::Move || (moved && e.kind != Event::Kind::Take);
+    if (e.kind == Event::Kind::Split) break;
+    const std::vector<CodeLine> lines = sortCode(run, {.step = step});
+    const auto with =
+        std::ranges::find_if(lines, [](const CodeLine& l) { return l.values.starts_with("P = "); });
+    ASSERT_NE(with, lines.end());
+    EXPECT_EQ(with->text.find("move") != std::string::npos, moved) << "step " << step;
+    EXPECT_EQ(std::ranges::count(lines, true, &CodeLine::ours), 4);
+  }
+  EXPECT_TRUE(moved);
 }
 
 }  // namespace xnewell::THIS_FILE

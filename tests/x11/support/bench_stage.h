@@ -34,6 +34,7 @@ class BenchStage : public Host {
   void pressLetter(char) override {}
   void switchTo(WindowView) override {}
   void explain(double, double) override {}
+  void sortFrom(int) override {}
   void fill(const std::string&) override {}
   void compare(const xnewell::Setup& B) override { compared = B; }
   void ask(Question asked) override { question = std::move(asked); }

@@ -146,9 +146,9 @@ std::vector<CorpusModel> corpusModels() {
   open.faces.pop_back();
 
   const std::string noLibrary =
-      ":2: material library 'gone.mtl' not found; materials defined only there are white";
+      ":2: material library 'FOLDER/gone.mtl' not found; materials defined only there are white";
   return {
-      {"groups.obj", groups, box, 0, 0, 0, {noLibrary, ": the program does not use vn, s, l, p"}},
+      {"groups.obj", groups, box, 0, 0, 0, {noLibrary, ": the program does not use s, l, p"}},
       {"negative.obj", negativeObj(box), box},
       {"ngons.obj", vertices(manyCorners) + faces(manyCorners), manyCorners},
       {"crlf.obj", crLf, box},
@@ -156,7 +156,14 @@ std::vector<CorpusModel> corpusModels() {
       {"tiny.obj", vertices(box, 1e-300) + faces(box), box},
       {"bridged.obj", vertices(frame) + faces(frame), frame},
       {"concave.obj", vertices(concave) + faces(concave), concave},
-      {"bent.obj", vertices(saddles()) + faces(saddles()), saddles(), 12},
+      {"bent.obj",
+       vertices(saddles()) + faces(saddles()),
+       saddles(),
+       12,
+       0,
+       0,
+       {": 9 faces, the first is face 0, are bent: their corners lie in no plane, so they are cut into "
+        "triangles"}},
       {"wrong.obj", vertices(turned) + faces(turned), turned, 0, 4},
       {"open.obj", vertices(open) + faces(open), open, 4},
       {"binary.ply",

@@ -16,7 +16,7 @@ struct CorpusModel {
     std::vector<std::vector<int>> faces;  ///< outlines, with holes bridged
   } shape;                                ///< its faces in the order of the file
   int open = 0, turned = 0, crowded = 0;  ///< edges, as EdgeCounts has them
-  std::vector<std::string> notes = {};    ///< after the file's name
+  std::vector<std::string> notes = {};    ///< after the file's name; FOLDER stands for that of the file
 };
 /// Fourteen of them.
 [[nodiscard]] std::vector<CorpusModel> corpusModels();

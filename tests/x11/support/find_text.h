@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "shading/color/font.h"
 #include "shading/color/index_image.h"
-#include "x11/drawing/font.h"
 #include "x11/drawing/painter.h"
 
 namespace xnewell {

@@ -31,6 +31,10 @@ class LessonWindow : public Host {
     view = v;
   }
   void explain(double, double) override {}
+  void sortFrom(int step) override {
+    sortedFrom = step;
+    switchTo(WindowView::DepthSort);
+  }
   void fill(const std::string&) override {}
   void compare(const Setup&) override {}
   void ask(Question asked) override { question = std::move(asked); }
@@ -56,6 +60,7 @@ class LessonWindow : public Host {
     settings.width = at.width, settings.height = at.height;
     const CellPlan plan{settings.table.kind};
     const Picture made = pictures->make(settings, plan[Cell::Well]);
+    shown = made;
     image = IndexImage{layout.width, layout.height, plan[Cell::Paper]};
     const Palette plain = made.palette(plan);
     const CellUse use = cellUse(made.image());
@@ -68,12 +73,13 @@ class LessonWindow : public Host {
   xnewell::Setup own;  ///< the window's setup before any lesson
   LessonBench bench{*this};
   std::optional<PictureCache> pictures{readScene("teapot", 3)};
+  std::optional<Picture> shown;  ///< the picture that was drawn last
   WindowView view = WindowView::Lesson;
   IndexImage image;
   Palette palette{};
   std::string notice;
   std::optional<Question> question;
-  int opened = 0, closed = 0;
+  int opened = 0, closed = 0, sortedFrom = -1;
 
  private:
   xnewell::Setup setup_, first_;

@@ -83,6 +83,7 @@ class Stepper : private Host {
   void open(Scene, const xnewell::Setup&) override {}
   void switchTo(WindowView) override {}
   void explain(double, double) override {}
+  void sortFrom(int) override {}
   void fill(const std::string&) override {}
   void compare(const xnewell::Setup&) override {}
   void ask(Question question) override { questions.push_back(std::move(question)); }

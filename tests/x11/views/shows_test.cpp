@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "depthsort/oracle.h"
+#include "tests/support/scene_text.h"
 #include "tests/support/seeds.h"
 
 namespace xnewell::THIS_FILE {
@@ -76,6 +77,39 @@ TEST(Shows, TheGroundStays) {
     }
     EXPECT_LE(differ, show == Show::Normals ? 400 : 0);  // needles reach beyond the border
   }
+}
+
+// Lines and labels of a scene are drawn over its picture, in the cell that looks most like their colour,
+// except where a face hides them.
+TEST(Shows, MarksOfTheScene) {
+  const auto drawn = [](const char* z) {
+    Scene scene = parsed(std::string{R"({"camera": {"eye": [0, 0, 5], "look_at": [0, 0, 0], "parallel": 4},
+      "labels": [{"text": "\u03b8", "at": [-0.2, -0.9, )"} +
+                         z + R"(], "color": [1, 1, 1], "size": 24}],
+      "lines": [{"points": [[-1.5, 0, )" +
+                         z + R"(], [1.5, 0, )" + z + R"(]], "color": [1, 1, 1]}],
+      "objects": [{"polygons": [[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]],
+        [[-1.9, -1.9, 1], [-1.8, -1.9, 1], [-1.9, -1.8, 1]]]}]})");
+    PictureSettings s = scene.settings;
+    s.width = 200, s.height = 200;
+    s.camera = completed({}, scene.camera);
+    const Picture picture = makePicture(std::move(scene), s, CellPlan{}[Cell::Well]);
+    const IndexImage marked = withMarks(picture, picture.palette(CellPlan{}));
+    int line = 0, label = 0;
+    for (int j = 0; j < 200; ++j)
+      for (int i = 0; i < 200; ++i)
+        if (marked.row(j)[i] != picture.image().row(j)[i]) {
+          EXPECT_EQ(marked.row(j)[i], CellPlan{}[Cell::White]);
+          ++(j > 96 && j < 104 ? line : label);
+        }
+    return std::pair{line, label};
+  };
+  const auto [before, letter] = drawn("0.5");
+  EXPECT_NEAR(before, 150, 8);
+  EXPECT_GT(letter, 10);
+  const auto [behind, none] = drawn("-0.5");
+  EXPECT_NEAR(behind, 50, 8);
+  EXPECT_EQ(none, 0);
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -215,6 +215,9 @@ TEST(ColorsBench, PointerAndArrowsInspectCells) {
   b.press({NamedKey::Down});
   EXPECT_TRUE(inspected(84));
   b.hover(at.steps.x, at.steps.y + 5);
+  EXPECT_TRUE(inspected(84));  // what a key or a click chose stays
+  b.press({NamedKey::Escape});
+  b.hover(at.steps.x, at.steps.y + 5);
   EXPECT_TRUE(inspected(11));
   b.press({NamedKey::End});
   EXPECT_TRUE(inspected(250));

@@ -6,6 +6,7 @@
 
 #include "tests/x11/support/bench_stage.h"
 #include "tests/x11/support/ready_workbench.h"
+#include "x11/views/cell_facts.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -315,6 +316,21 @@ TEST(PictureBench, TheStripIsOfWhatIsShown) {
     EXPECT_EQ(usedCells(*bench.use(), words.cells), words.cells.count);
     EXPECT_EQ(words.cells.first, stage.pictures.last().colors().table().first());
   }
+}
+
+// What the scene has of its own cannot be changed, so its controls are off, and the caption has the shades
+// that each hue has.
+TEST(PictureBench, WhatTheSceneHasIsOff) {
+  ReadyWorkbench own{{}, 1024, 768, "spotlight"}, usual;
+  for (const char key : {'l', 'i', 'p'}) {
+    EXPECT_TRUE(withKey(usual.bench().controls(), key).enabled()) << key;
+    EXPECT_FALSE(withKey(own.bench().controls(), key).enabled()) << key;
+  }
+  const ReadyWorkbench hues{{}, 1024, 768, "hues"};
+  const std::size_t ramps = hues.picture().colors().tables().size();
+  const std::string each = std::to_string(hues.picture().colors().tables().front().shades());
+  EXPECT_TRUE(shadesText(hues.picture()).starts_with(each + " ")) << shadesText(hues.picture());
+  EXPECT_TRUE(shadesText(hues.picture()).ends_with("for each of " + std::to_string(ramps) + " hues"));
 }
 
 }  // namespace xnewell::THIS_FILE

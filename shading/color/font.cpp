@@ -1,4 +1,6 @@
-#include "x11/drawing/font.h"
+#include "shading/color/font.h"
+
+#include <algorithm>
 
 #include "geometry/files/visible.h"
 
@@ -25,27 +27,32 @@ DoubledGlyph scale2x(const Glyph& glyph) {
   return doubled;
 }
 
-std::string latin1(std::string_view utf8) {
-  std::string letters;
+const Glyph* glyphOf(char32_t code) {
+  const auto at = std::ranges::lower_bound(kFont6x13, code, {}, &CodedGlyph::code);
+  return at != kFont6x13.end() && at->code == code ? &at->glyph : nullptr;
+}
+
+std::u32string codesOf(std::string_view utf8) {
+  constexpr std::array<char32_t, 4> kLeast{0, 0x80, 0x800, 0x10000};  // of so many bytes after the first
+  std::u32string codes;
   const auto byte = [&](std::size_t k) { return k < utf8.size() ? static_cast<unsigned char>(utf8[k]) : 0u; };
   for (std::size_t k = 0; k < utf8.size();) {
-    const unsigned lead = byte(k++);
-    const auto follows = [&] { return continues(static_cast<char>(byte(k))); };
-    unsigned code = lead;
-    if ((lead == 0xC2 || lead == 0xC3) && follows()) {
-      code = (lead & 3) << 6 | (byte(k++) & 0x3F);
-    } else if (lead >= 0x80) {
-      code = 0;
-      for (unsigned rest = lead >= 0xF0   ? 3
-                           : lead >= 0xE0 ? 2
-                           : lead >= 0xC0 ? 1
-                                          : 0;
-           rest && follows(); --rest)
-        ++k;
+    char32_t code = byte(k++);
+    const unsigned more = code >= 0xF0 ? 3 : code >= 0xE0 ? 2 : code >= 0xC0 ? 1 : 0;
+    bool valid = code < 0x80 || more > 0;
+    if (more > 0) code &= 0x3F >> more;
+    for (unsigned n = 0; n < more && valid; ++n) {
+      valid = continues(static_cast<char>(byte(k)));
+      if (valid) code = code << 6 | (byte(k++) & 0x3F);
     }
-    const bool drawn = (code >= 0x20 && code < 0x7F) || code >= 0xA0;
-    letters += drawn ? static_cast<char>(code) : '?';
+    codes += valid && code >= kLeast[more] && glyphOf(code) ? code : U'?';
   }
+  return codes;
+}
+
+std::string latin1(std::string_view utf8) {
+  std::string letters;
+  for (const char32_t code : codesOf(utf8)) letters += code < 0x100 ? static_cast<char>(code) : '?';
   return letters;
 }
 

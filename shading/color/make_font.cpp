@@ -1,5 +1,4 @@
-// make_font 6x13-ISO8859-1.pcf.gz font_6x13.cpp: writes the font as a C++ table. Runs when the program
-// is built. A code without a glyph in the font is blank.
+// make_font 6x13.pcf.gz font_6x13.cpp: writes the font as a C++ table. Runs when the program is built.
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
@@ -10,7 +9,7 @@
 #include <iostream>
 #include <string>
 
-#include "x11/drawing/font.h"
+#include "shading/color/font.h"
 
 namespace xnewell {
 
@@ -44,24 +43,27 @@ void makeFont(int count, char** arguments) {
   if (FT_New_Face(library, arguments[1], 0, &face))
     fail(std::string{arguments[1]} + ": FreeType cannot read it");
   if (face->num_fixed_sizes != 1 || FT_Select_Size(face, 0) || FT_Select_Charmap(face, FT_ENCODING_UNICODE))
-    fail(std::string{arguments[1]} + ": not a bitmap font in ISO 8859-1");
+    fail(std::string{arguments[1]} + ": not a bitmap font in Unicode");
 
   std::ofstream table{arguments[2]};
   table << "// Made from the misc-fixed font 6x13 by make_font.cpp.\n"
-           "#include \"x11/drawing/font.h\"\n\n"
+           "#include \"shading/color/font.h\"\n\n"
            "namespace xnewell {\n\n"
-           "const std::array<Glyph, 256> kFont6x13{{\n";
-  for (unsigned code = 0; code < 256; ++code) {
-    const unsigned index = FT_Get_Char_Index(face, code);
-    if (!index && code >= 0x20 && code < 0x7F) fail("the font lacks an ASCII character");
-    if (index && FT_Load_Glyph(face, index, FT_LOAD_RENDER | FT_LOAD_MONOCHROME | FT_LOAD_TARGET_MONO))
-      fail("a glyph cannot be loaded");
-    const Glyph glyph = index ? place(face->glyph) : Glyph{};
-    table << "    {";
-    for (const int row : glyph) table << row << ',';
-    table << "},\n";
-  }
-  table << "}};\n\n}  // namespace xnewell\n";
+           "static constexpr CodedGlyph kGlyphs[]{\n";
+  constexpr std::array<std::array<unsigned, 2>, 6> kRanges{
+      {{0x20, 0x7E}, {0xA0, 0xFF}, {0x370, 0x3FF}, {0x2010, 0x205E}, {0x2070, 0x209F}, {0x2190, 0x22FF}}};
+  for (const auto& [from, to] : kRanges)
+    for (unsigned code = from; code <= to; ++code) {
+      const unsigned index = FT_Get_Char_Index(face, code);
+      if (!index && code <= 0xFF) fail("the font lacks a character of Latin-1");
+      if (!index) continue;
+      if (FT_Load_Glyph(face, index, FT_LOAD_RENDER | FT_LOAD_MONOCHROME | FT_LOAD_TARGET_MONO))
+        fail("a glyph cannot be loaded");
+      table << "    {" << code << ", {";
+      for (const int row : place(face->glyph)) table << row << ',';
+      table << "}},\n";
+    }
+  table << "};\nconst std::span<const CodedGlyph> kFont6x13{kGlyphs};\n\n}  // namespace xnewell\n";
   table.close();
   if (!table) fail(std::string{arguments[2]} + ": cannot be written");
   FT_Done_Face(face);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,8 +17,16 @@ inline constexpr int kGlyphAscent = 11;  ///< rows above the baseline; two are b
 
 /// Rows from the top; bit 5 is the leftmost pixel.
 using Glyph = std::array<std::uint8_t, kGlyphHeight>;
-/// By Latin-1 code.
-extern const std::array<Glyph, 256> kFont6x13;
+struct CodedGlyph {
+  char32_t code;
+  Glyph glyph;
+};
+/// The letters of Latin-1 and Greek, signs, indices, arrows and mathematical operators, as far as the font
+/// has them, by ascending codes.
+extern const std::span<const CodedGlyph> kFont6x13;
+
+/// Null if the font lacks the character.
+[[nodiscard]] const Glyph* glyphOf(char32_t code);
 
 /// Twice the size; bit 11 is the leftmost pixel.
 using DoubledGlyph = std::array<std::uint16_t, 2 * kGlyphHeight>;
@@ -27,8 +36,11 @@ using DoubledGlyph = std::array<std::uint16_t, 2 * kGlyphHeight>;
 /// are blank.
 [[nodiscard]] DoubledGlyph scale2x(const Glyph& glyph);
 
-/// Converts UTF-8 to Latin-1. A character that the font lacks becomes one '?', and so does anything that is
+/// The characters of a text in UTF-8. One that the font lacks becomes one '?', and so does anything that is
 /// not valid UTF-8.
+[[nodiscard]] std::u32string codesOf(std::string_view utf8);
+
+/// The same in Latin-1, with '?' for what it lacks.
 [[nodiscard]] std::string latin1(std::string_view utf8);
 
 }  // namespace xnewell

@@ -1,9 +1,10 @@
-#include "x11/drawing/font.h"
+#include "shading/color/font.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
+#include <string_view>
 
 namespace xnewell::THIS_FILE {
 
@@ -36,19 +37,23 @@ bool asPublished(const Glyph& g, int i, int j) {
 TEST(Font, AHasItsRows) {
   const Glyph A{0,        0,        0b001000, 0b010100, 0b100010, 0b100010, 0b100010,
                 0b111110, 0b100010, 0b100010, 0b100010, 0,        0};
-  EXPECT_EQ(kFont6x13['A'], A);
+  EXPECT_EQ(*glyphOf('A'), A);
 }
 
 // Every printable character of Latin-1 but the two spaces has ink, and no two ASCII ones look alike.
 TEST(Font, IsComplete) {
-  for (int code = 0x20; code < 0x100; ++code) {
-    if (code >= 0x7F && code < 0xA0) continue;
-    const Glyph& g = kFont6x13[code];
+  for (const auto& [code, g] : kFont6x13) {
+    EXPECT_EQ(glyphOf(code), &g);
+    if (code > 0xFF) continue;
     const bool blank = std::all_of(g.begin(), g.end(), [](int row) { return row == 0; });
-    EXPECT_EQ(blank, code == 0x20 || code == 0xA0) << code;
-    for (const int row : g) EXPECT_LT(row, 64) << code;
-    for (int other = 0x20; other < code && code < 0x7F; ++other) EXPECT_NE(kFont6x13[other], g) << code;
+    EXPECT_EQ(blank, code == 0x20 || code == 0xA0) << static_cast<int>(code);
+    for (const int row : g) EXPECT_LT(row, 64) << static_cast<int>(code);
+    for (char32_t other = 0x20; other < code && code < 0x7F; ++other)
+      EXPECT_NE(*glyphOf(other), g) << static_cast<int>(code);
   }
+  for (const char32_t code : std::u32string_view{U"\u03B1\u03B8\u03C9\u2192\u2264\u221E\u2082"})
+    EXPECT_NE(glyphOf(code), nullptr) << static_cast<int>(code);
+  EXPECT_EQ(glyphOf(0x7F), nullptr);
 }
 
 // Doubling follows the published rule. The test uses glyphs of noise, in which every neighbourhood occurs.
@@ -83,6 +88,7 @@ TEST(Font, Scale2xHasNoHandedness) {
 TEST(Font, Latin1FromUtf8) {
   EXPECT_EQ(latin1("teapot \u00B7 33\u00B0 \u00E9\u00FF"), "teapot \xB7 33\xB0 \xE9\xFF");
   EXPECT_EQ(latin1("a\u2192b\U0001FAD6c"), "a?b?c");
+  EXPECT_EQ(codesOf("\u03B8 = 1\xC0\xA0"), U"\u03B8 = 1?");
   EXPECT_EQ(latin1("tab\tnew\nend"), "tab?new?end");
   EXPECT_EQ(latin1("\x7F\u0080\u009F"), "???");
   EXPECT_EQ(latin1("x\xC2"), "x?");

@@ -1,4 +1,4 @@
-#include "x11/command/ready_scene.h"
+#include "x11/app/ready_scene.h"
 
 #include <algorithm>
 #include <iostream>
