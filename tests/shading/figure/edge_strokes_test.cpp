@@ -187,8 +187,8 @@ TEST(MarkStrokes, FilesAreChecked) {
   EXPECT_EQ(complaint(R"("labels": [{"text": "W\u00FCrfel 1", "at": [0, 0, 1]
 }])"),
             "");
-  EXPECT_EQ(complaint(R"("labels": [{"text": "\u2192", "at": [0, 0, 1]}])"),
-            "labels[0].text: a label needs printable characters of Latin-1");
+  EXPECT_EQ(complaint(R"("labels": [{"text": "\u4E2D", "at": [0, 0, 1]}])"),
+            "labels[0].text: a label needs characters of Latin-1, Greek or mathematics");
   EXPECT_EQ(complaint(R"("lines": [{"points": [[0, 0, 1]]}])"),
             "lines[0].points: a line needs at least 2 points");
   EXPECT_EQ(complaint(R"("lines": [{"points": [[0, 0, 1], [1, 0, 0]], "width": 0}])"),

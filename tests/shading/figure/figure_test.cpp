@@ -255,7 +255,7 @@ TEST(VectorFigure, WritesTexts) {
             std::string::npos);
   for (const auto& [name, file] : {std::pair{"PDF", pdfOf(figure)}, {"EPS", epsOf(figure)}}) {
     SCOPED_TRACE(name);
-    EXPECT_EQ(file.find("ont"), std::string::npos);
+    for (const char* const word : {"Font", "font"}) EXPECT_EQ(file.find(word), std::string::npos);
     std::istringstream lines{file.substr(file.find("\n1 0 0 ") + 1)};
     std::map<std::array<int, 2>, int> inked;
     std::vector<glm::ivec2> at;
