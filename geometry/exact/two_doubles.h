@@ -17,7 +17,8 @@ namespace xnewell {
 struct TwoDoubles {
   double high, low;
 
-  TwoDoubles() = default;  ///< as of double: its value is not set
+  /// As of double: its value is not set.
+  TwoDoubles() = default;
   TwoDoubles(double v, double more = 0.0) : high{v}, low{more} {}  // NOLINT(google-explicit-constructor)
   explicit operator double() const { return high; }
   friend std::partial_ordering operator<=>(const TwoDoubles&, const TwoDoubles&) = default;

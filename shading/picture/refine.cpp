@@ -59,8 +59,8 @@ const std::vector<glm::dvec3>& grid() {
 
 /// For each facet, the most by which its shading differs from the illumination at a sample, in any channel,
 /// for the front and the back. For Gouraud shading, it compares the interpolated I with the I of the
-/// interpolated normal, made a unit vector as in Phong shading; for flat shading, the I of the centre with the
-/// I of each place.
+/// interpolated normal, made a unit vector as in Phong shading; for flat shading, the I of the centre with
+/// the I of each place.
 std::vector<double> misfitsOf(std::span<const Facet> facets, const Lighting& lighting, bool flat) {
   std::vector<double> most(facets.size(), 0.0);
   Terms diffuse, specular;
@@ -86,12 +86,11 @@ std::vector<double> misfitsOf(std::span<const Facet> facets, const Lighting& lig
       for (std::size_t k = first; k < end; ++k, I += kSamples + flat) {
         // The grid has the corner with the first share alone last, and that with the third alone first.
         const FrontBack<double>&A = I[flat ? kSamples : kSamples - 1], &B = I[flat ? kSamples : kAlong],
-                           &C = I[flat ? kSamples : 0];
+              &C = I[flat ? kSamples : 0];
         for (int sample = 0; sample < kSamples; ++sample) {
           const glm::dvec3& share = grid()[sample];
           const auto apart = [&](double FrontBack<double>::*side) {
-            return std::abs(I[sample].*side -
-                            (share.x * A.*side + share.y * B.*side + share.z * C.*side));
+            return std::abs(I[sample].*side - (share.x * A.*side + share.y * B.*side + share.z * C.*side));
           };
           most[k] = std::max({most[k], apart(&FrontBack<double>::front), apart(&FrontBack<double>::back)});
         }
@@ -113,11 +112,7 @@ class Refiner {
  public:
   Refiner(const Mesh& mesh, const ConvexParts& parts, const Vertices* vertices, const ShadingPoints* faces,
           const Lighting& lighting, const RefineSettings& settings)
-      : old_{parts},
-        faces_{faces},
-        settings_{settings},
-        lighting_{lighting},
-        divided_(parts.count(), false) {
+      : old_{parts}, faces_{faces}, settings_{settings}, lighting_{lighting}, divided_(parts.count(), false) {
     result_.mesh = mesh;
     if (vertices != nullptr) {
       result_.vertices = *vertices;

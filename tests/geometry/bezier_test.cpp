@@ -9,9 +9,9 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "tests/support/extended.h"
 #include "geometry/exact/plane.h"
 #include "geometry/exact/unit.h"
+#include "tests/support/extended.h"
 
 namespace xnewell::THIS_FILE {
 

@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
-#include "tests/support/extended.h"
 #include "geometry/exact/unit.h"
+#include "tests/support/extended.h"
 
 namespace xnewell::THIS_FILE {
 

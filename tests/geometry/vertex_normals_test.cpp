@@ -10,12 +10,12 @@
 #include <numeric>
 #include <random>
 
-#include "tests/support/extended.h"
 #include "geometry/exact/trig.h"
 #include "geometry/exact/unit.h"
 #include "geometry/files/bpt.h"
 #include "geometry/model/solids.h"
 #include "tests/support/corner_normals.h"
+#include "tests/support/extended.h"
 #include "tests/support/normal_error.h"
 #include "tests/support/seeds.h"
 

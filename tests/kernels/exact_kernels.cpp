@@ -181,8 +181,8 @@ Kernel twoDoublesKernel() {
               },
           .run =
               [](const Numbers& in) {
-                const TwoDoubles x{in[0], in[1]}, y{in[2], in[3]}, sum = x + y, product = x * y,
-                                 quotient = y == 0 ? y : x / y, root = sqrt(abs(x));
+                const TwoDoubles x{in[0], in[1]}, y{in[2], in[3]},
+                    sum = x + y, product = x * y, quotient = y == 0 ? y : x / y, root = sqrt(abs(x));
                 return Numbers{sum.high,      sum.low,      product.high, product.low,
                                quotient.high, quotient.low, root.high,    root.low};
               },

@@ -7,9 +7,9 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "tests/support/extended.h"
 #include "geometry/view/camera.h"
 #include "shading/scene/scene.h"
+#include "tests/support/extended.h"
 
 namespace xnewell {
 

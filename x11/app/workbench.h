@@ -103,9 +103,7 @@ class Workbench : public Host {
   [[nodiscard]] bool quitAsked() const { return quit_; }
 
   /// True if something moves by itself. Then tick() must be called at regular intervals.
-  [[nodiscard]] bool moving() const {
-    return bench().moving() || (lecture_ && lecture_->plays());
-  }
+  [[nodiscard]] bool moving() const { return bench().moving() || (lecture_ && lecture_->plays()); }
   void tick();
 
   /// What is out of date, from least to most: nothing; only the colours of the cells; the indices. The view

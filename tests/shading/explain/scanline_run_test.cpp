@@ -8,8 +8,8 @@
 #include <string>
 
 #include "depthsort/oracle.h"
-#include "tests/support/extended.h"
 #include "shading/picture/picture_cache.h"
+#include "tests/support/extended.h"
 #include "tests/support/seeds.h"
 
 namespace xnewell::THIS_FILE {
