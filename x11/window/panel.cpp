@@ -188,7 +188,7 @@ void drawHelp(Pen& pen, const Layout& at, const std::vector<HelpLine>& lines) {
 }  // namespace
 
 bool hasRoomForTitle(const Layout& at, std::string_view title) {
-  const Rect& last = tabsOf(at).back().place;
+  const Rect last = tabsOf(at).back().place;
   return textWidth(title) <= at.width - 2 * kMargin - (last.x + last.width + 4);
 }
 
