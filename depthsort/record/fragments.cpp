@@ -69,8 +69,8 @@ std::string Fragments::path(int id) const {
 const std::string& Fragments::group(int id) const { return mesh_->groupNames[mesh_->group[face(id).number]]; }
 
 bool Fragments::hasName(int id) const {
-  constexpr std::array<std::string_view, 4> kRoles{"P", "Q", "p",
-                                                   "q"};  // sentences have them for other things
+  // Sentences use these for the two polygons of a pair.
+  constexpr std::array<std::string_view, 4> kRoles{"P", "Q", "p", "q"};
   const std::string& name = group(id);
   return !name.empty() && std::ranges::find(kRoles, name) == kRoles.end() && facesNamed_.at(name) == 1;
 }

@@ -339,8 +339,8 @@ class ObjReader {
   NamesInUse material_{""};  ///< the empty name stands for no material
   std::map<std::string, Known> known_;
   bool missing_ = false;  ///< whether a note tells of a missing library
-  std::set<std::filesystem::path>
-      libraries_;  ///< already read: some writers name the library before every object
+  /// Already read: some writers name the library before every object.
+  std::set<std::filesystem::path> libraries_;
   Indexed points_{"vertices", {}}, texture_{"texture coordinates", {}};
   std::vector<glm::dvec3> normals_;  ///< every `vn`
   std::vector<int> normalOfCorner_;  ///< of the corners up to the last that has one, index into normals_

@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "geometry/exact/box.h"
 #include "geometry/exact/plane.h"
@@ -229,6 +231,40 @@ ConvexParts divideFaces(const Mesh& mesh) {
       addTriangles(clipEars(outline.grid));
   }
   return parts;
+}
+
+bool crossesItself(const Mesh& mesh, int face) {
+  constexpr std::size_t kMost = 100;
+  constexpr double kRounded = 0x1p-40;
+  const std::span<const int> corners = mesh.face(face);
+  const std::size_t n = corners.size();
+  if (n < 4 || n > kMost) return false;
+  std::vector<glm::dvec3> p;
+  for (const int corner : corners) p.push_back(mesh.points[corner] - mesh.points[corners[0]]);
+  glm::dvec3 area{0.0};
+  double longest = 0.0;
+  for (std::size_t k = 1; k < n; ++k) {
+    area += glm::cross(p[k - 1], p[k]);
+    longest = std::max(longest, glm::dot(p[k], p[k]));
+  }
+  const double least = kRounded * longest;
+  const glm::dvec3 N = glm::abs(area);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (largest(N) > least && N[axis] < largest(N)) continue;
+    const auto side = [&](std::size_t a, std::size_t b, std::size_t c) {
+      const glm::dvec3 along = p[b] - p[a], to = p[c] - p[a];
+      const int x = (axis + 1) % 3, y = (axis + 2) % 3;
+      const double turn = along[x] * to[y] - along[y] * to[x];
+      return turn > least ? 1 : turn < -least ? -1 : 0;
+    };
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = i + 2; k < n; ++k) {
+        const std::size_t next = (k + 1) % n;
+        if (side(i, i + 1, k) * side(i, i + 1, next) < 0 && side(k, next, i) * side(k, next, i + 1) < 0)
+          return true;
+      }
+  }
+  return false;
 }
 
 }  // namespace xnewell

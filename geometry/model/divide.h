@@ -83,4 +83,9 @@ struct ConvexParts {
 /// along the axis nearest to the face's normal. All finite coordinates are allowed, up to the largest double.
 [[nodiscard]] ConvexParts divideFaces(const Mesh& mesh);
 
+/// True if two edges of a face pass through each other, seen along the axis nearest to its normal; without an
+/// area no axis is the one to look along. Faces of more than 100 corners are not searched: that takes the
+/// square of their number.
+[[nodiscard]] bool crossesItself(const Mesh& mesh, int face);
+
 }  // namespace xnewell

@@ -56,8 +56,8 @@ struct Vertices {
 /// Angle     Every face counts by its interior angle at the corner, seen along the face's normal; it is more
 ///           than 180 degrees at a concave corner. Cutting a flat face changes neither this nor Distinct. If
 ///           successive corners coincide, the first has the angle. @see Thürmer & Wüthrich 1998
-/// Exact, File  `exact` holds the normals: one unit vector for each corner of the mesh, or 0 if it is
-/// unknown.
+/// Exact, File
+///           `exact` holds the normals: one unit vector for each corner of the mesh, or 0 if it is unknown.
 ///           There, and everywhere if `exact` is empty, Distinct applies.
 ///
 /// At a corner of a face, only those faces take part whose normals are within `creaseDegrees` of the face's

@@ -26,10 +26,9 @@ struct Profile {
 /// A band is where two faces of one surface meet, and the eye may see a stripe. I jumps there by kBandJump
 /// or more, or its slope changes by kBandKink or more. Inside a steep slope neither is seen unless it stands
 /// out: the jump by more than the slope makes from sample to sample, the change by kBandShare of the slope.
-/// The slope is dI/dx, where x grows by 1 over the width
-/// of all that the row shows. Bands are found on a row of kFineWidth samples at the same height of the
-/// picture, so a larger picture has the same bands. Faces narrower than kLeastRun of these samples are passed
-/// over.
+/// The slope is dI/dx, where x grows by 1 over the width of all that the row shows. Bands are found on a row
+/// of kFineWidth samples at the same height of the picture, so a larger picture has the same bands. Faces
+/// narrower than kLeastRun of these samples are passed over.
 inline constexpr double kBandJump = 1.0 / 240, kBandKink = 0.5, kBandShare = 1.0 / 8;
 inline constexpr int kFineWidth = 4096, kLeastRun = 3;
 

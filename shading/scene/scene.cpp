@@ -176,46 +176,6 @@ Scene readAny(const std::string& nameOrFile, int divisions) {
                        : "not a scene file: scenes are .json files and models: " + modelExtensions()};
 }
 
-}  // namespace
-
-namespace {
-
-/// True if two edges of a face pass through each other, seen along the axis nearest to its normal; without an
-/// area no axis is the one to look along. Faces of very many corners are not searched: it takes their square.
-bool crossesItself(const Mesh& mesh, int face) {
-  constexpr std::size_t kMost = 100;
-  constexpr double kRounded = 0x1p-40;
-  const std::span<const int> corners = mesh.face(face);
-  const std::size_t n = corners.size();
-  if (n < 4 || n > kMost) return false;
-  std::vector<glm::dvec3> p;
-  for (const int corner : corners) p.push_back(mesh.points[corner] - mesh.points[corners[0]]);
-  glm::dvec3 area{0.0};
-  double longest = 0.0;
-  for (std::size_t k = 1; k < n; ++k) {
-    area += glm::cross(p[k - 1], p[k]);
-    longest = std::max(longest, glm::dot(p[k], p[k]));
-  }
-  const double least = kRounded * longest;
-  const glm::dvec3 N = glm::abs(area);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (largest(N) > least && N[axis] < largest(N)) continue;
-    const auto side = [&](std::size_t a, std::size_t b, std::size_t c) {
-      const glm::dvec3 along = p[b] - p[a], to = p[c] - p[a];
-      const int x = (axis + 1) % 3, y = (axis + 2) % 3;
-      const double turn = along[x] * to[y] - along[y] * to[x];
-      return turn > least ? 1 : turn < -least ? -1 : 0;
-    };
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t k = i + 2; k < n; ++k) {
-        const std::size_t next = (k + 1) % n;
-        if (side(i, i + 1, k) * side(i, i + 1, next) < 0 && side(k, next, i) * side(k, next, i + 1) < 0)
-          return true;
-      }
-  }
-  return false;
-}
-
 /// Notes the faces that people rarely mean, but for those that stand for a curved surface: those that cross
 /// themselves, and those whose parts lie in several planes.
 void noteOddFaces(Scene& scene) {
@@ -235,16 +195,13 @@ void noteOddFaces(Scene& scene) {
     else if (!onePlane)
       bent.push_back(face);
   }
-  const auto note = [&](const std::vector<int>& faces, std::string_view one, std::string_view several) {
+  const auto note = [&](const std::vector<int>& faces, const std::string& one, const std::string& several) {
     if (faces.empty()) return;
     const std::string first = "face " + std::to_string(faces.front());
-    scene.mesh.notes.push_back(ParseError{
-        scene.name, 0,
-        faces.size() == 1
-            ? first + std::string{one}
-            : std::to_string(faces.size()) + " faces, the first is " + first + "," +
-                  std::string{
-                      several}}.what());
+    const std::string what =
+        faces.size() == 1 ? first + one
+                          : std::to_string(faces.size()) + " faces, the first is " + first + "," + several;
+    scene.mesh.notes.emplace_back(ParseError{scene.name, 0, what}.what());
   };
   note(crossing, " crosses itself: where it overlaps itself, it may cover too much or nothing",
        " cross themselves: where they overlap themselves, they may cover too much or nothing");

@@ -113,8 +113,8 @@ TEST(Divide, BentQuadIsCutFromItsFirstCorner) {
 }
 
 // An arrowhead is cut through its reflex corner: from 0 to 2 if that is corner 0 or 2, otherwise from 1 to 3.
-// Corners in the middle of straight sides decide no cut, and their part keeps them. Each was once the tip of a
-// needle, and all pairs of needles were compared.
+// Corners in the middle of straight sides decide no cut, and their part keeps them. Each was once the tip of
+// a needle, and all pairs of needles were compared.
 TEST(Divide, StraightSidesKeepTheirCorners) {
   EXPECT_EQ(partsOf(Pts{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {3, 3, 1}, {0, 3, 0}}),
             (List{{0, 1, 2, 3, 4}, {0, 4, 5}}));

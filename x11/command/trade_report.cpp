@@ -116,7 +116,8 @@ void printTrade(const TradeCommands& commands, const Trade& trade, std::ostream&
   }
   if (!trade.items.empty())
     out << "\nMilliseconds that are saved without one item that the picture requires:\n";
-  for (const ItemCost& item : trade.items) out << "    " << item.name << ' ' << msText(item.ms) << '\n';
+  for (const ItemCost& item : trade.items)
+    out << "    " << item.name << ' ' << (item.ms > 0 ? msText(item.ms) : "too little to measure") << '\n';
   if (!trade.front.empty()) {
     out << '\n'
         << counted(static_cast<std::int64_t>(trade.combinations.size()), "combination")

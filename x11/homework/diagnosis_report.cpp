@@ -173,7 +173,7 @@ void printDiagnosis(const Diagnosis& d, const PartedBy& parted, std::ostream& ou
   const std::int64_t others = isWrong ? 0 : std::llround((1.0 - d.found.front().explained) * d.samples);
   if (others > 0)
     out << "  at " << grouped(others) << " of " << grouped(d.samples)
-        << " samples it shows another shade or another face; xnewell judge tells from its order\n";
+        << " samples it shows another shade or another face; xnewell judge says whether its order is right\n";
   if (d.found.size() > 1 && isWrong && d.verdict != Marking::Outlines)
     for (const Fit& fit : d.found) out << "  " << inWords(fit) << "  [" << fitTerms(fit) << "]\n";
   if (!d.found.empty() && isWrong && d.verdict != Marking::Outlines) {

@@ -10,6 +10,9 @@
 
 namespace xnewell::page {
 
+/// The order of this file: words with marks in them, and what a question hides; tables as grids of letters
+/// (Grid); text and JSON; the window, where parts take their room by weight (Flow); the answer to a question.
+
 std::string asked(int rank, std::string_view value) {
   return std::string{'\1', static_cast<char>('0' + rank)} + std::string{value} + '\2';
 }

@@ -36,7 +36,7 @@ class Reader {
               [&](std::int64_t times) {
                 overrides.push_back({&row, times > 0 ? 1.0 : 0.0});
               },
-              help + ". " + name + "=false ends what the scene asks for")
+              help + (help.ends_with('.') ? " " : ". ") + name + "=false ends what the scene asks for")
           ->check([name](const std::string& given) -> std::string {
             if (given != "true" && given != "false") refuse(name, given, "true or false");
             return "";

@@ -76,6 +76,9 @@ std::string intensityWords(const PixelStory& story, const Explanation& e) {
 
 namespace page {
 
+/// The order of this file is that of the page: words of the equation; 1 history; 2 surface; 3 equation, with
+/// its vectors and questions; 4 table; what only JSON has; and at the end the pages that these make.
+
 namespace {
 
 using Story = std::shared_ptr<const PixelStory>;
