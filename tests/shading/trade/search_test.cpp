@@ -45,7 +45,7 @@ TEST(Search, SaysWhatWasNeverTried) {
             "--order none, zmean, zsort, bsp, zbuffer16, zbuffer24, zbuffer32, oracle; --cull back");
   while (search.step()) {
   }
-  EXPECT_LT(search.neverTried().size(), 60u);
+  EXPECT_EQ(search.neverTried(), "");
   EXPECT_GE(search.nearFront(100).size(), 2u);
 }
 
