@@ -225,8 +225,11 @@ class Viewer {
     if (note.mayEnd && XCheckIfEvent(display(), &event, isKey<Key{'q'}>, nullptr)) _exit(0);
     const bool giveUp =
         note.mayGiveUp && XCheckIfEvent(display(), &event, isKey<Key{NamedKey::Escape}>, nullptr);
-    if (giveUp) note.mayGiveUp = false, note.givesUp = true;
-    if (seconds == busyFor_ && !giveUp) return false;
+    if (giveUp) {  // the work is told before the window says so
+      note.mayGiveUp = false, note.givesUp = true;
+      return true;
+    }
+    if (seconds == busyFor_ && !note.givesUp) return false;
     IndexImage box{canvas_.width(), canvas_.height(), plan_[Cell::Paper]};
     drawBusyBox(box, bench_.layout().unit, plan_, seconds, note);
     if (busyFor_ < 0) {
@@ -244,7 +247,7 @@ class Viewer {
     map();
     XFlush(display());
     busyFor_ = seconds;
-    return giveUp;
+    return false;
   }
 
   void map() {
