@@ -178,7 +178,7 @@ void warnOfClaims(const Lesson& lesson, const Options& options) {
   const std::vector<std::string> broken = brokenClaims(lesson, windowSize(options) / options.scale);
   checking.reset();
   for (const std::string& sentence : broken)
-    std::cerr << "xnewell: " << options.scene << ": " << sentence << '\n';
+    std::cerr << "xnewell: " + oneLine(options.scene + ": " + sentence) + '\n';
 }
 
 /// Shows a lesson in the window, or writes its steps as pictures.

@@ -6,13 +6,15 @@
 #include <string>
 #include <tuple>
 
+#include "geometry/files/visible.h"
+
 namespace xnewell {
 
 /// On a terminal, shows what is being done for as long as it lasts. Silent anywhere else.
 class Doing {
  public:
   explicit Doing(const std::string& what) : told_{::isatty(STDERR_FILENO) == 1} {
-    if (told_) std::cerr << "xnewell: " << what << " ..." << std::flush;
+    if (told_) std::cerr << "xnewell: " << visible(what) << " ..." << std::flush;
   }
   Doing(const Doing&) = delete;
   Doing& operator=(const Doing&) = delete;
