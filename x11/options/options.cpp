@@ -159,7 +159,8 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
          [&](const std::string& s) { o.size = parseSize(s); });
   r.number("--scale", o.scale, 1, kMostScale,
            "how many times as large the window's letters, lines and controls are; the picture keeps its own "
-           "pixels. For the window, and for pictures of it. Without it, the screen decides for the window");
+           "pixels. For the window, and for pictures of it. Without it, the screen decides for the window",
+           "", "; the letters are made of pixels, and a part of a pixel cannot be drawn");
   r.number("--divisions", o.divisions, 1, kMaxDivisions,
            "each Bezier patch becomes N x N polygons, unless the scene file gives the number");
   for (const Setting& row : settingRows()) r.setting(row, o.overrides);

@@ -239,6 +239,10 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({"lesson", "cycles", "--scale", "2", "--size", "1599x1200"}),
             "a lesson needs a --size of at least 1600x1080");
   EXPECT_EQ(complaintAll({"lesson", "cycles", "--scale", "2"}), "");
+  EXPECT_EQ(
+      complaintAll({"lesson", "cycles", "--scale", "1.5"}),
+      "--scale: '1.5' is not a whole number from 1 to 4; the letters are made of pixels, and a part of a "
+      "pixel cannot be drawn");
   EXPECT_EQ(complaint({"--fill", "x11"}), "--fill x11 needs a server: use snapshot");
   for (const OrderRow& row : kOrders) {
     const std::string name{row.name};
