@@ -190,6 +190,7 @@ TEST(Options, FiguresAreOfPolygons) {
   EXPECT_EQ(figure({"--paper", "white"}),
             "--paper: 'white' is not #rrggbb, a colour by six hexadecimal digits");
   EXPECT_EQ(complaint({"--paper", "#ffffff"}), "--paper works only with figure");
+  EXPECT_EQ(complaint({"--edges", "all"}), "");
   EXPECT_EQ(figure({"--edges", "all", "--edge-color", "#80808"}),
             "--edge-color: '#80808' is not #rrggbb, a colour by six hexadecimal digits");
   EXPECT_EQ(figure({"--costs"}), "--costs works only with draw and snapshot");
@@ -198,7 +199,6 @@ TEST(Options, FiguresAreOfPolygons) {
   EXPECT_EQ(figure({"--smooth"}),
             "--smooth needs -o FILE.pdf: only PDF has triangles with a colour at each corner");
   EXPECT_EQ(complaintAll({"figure", "teapot", "--smooth", "-o", "a.PDF"}), "");
-  EXPECT_EQ(complaint({"--edges", "all"}), "--edges works only with figure");
   EXPECT_EQ(figure({"--tolerance", "65"}), "--tolerance: '65' is not a whole number from 0 to 64");
   EXPECT_EQ(figure({"--order", "bsp"}),
             "--order bsp leaves out what has no sample: use --order newell for a figure");
