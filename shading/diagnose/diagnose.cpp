@@ -23,6 +23,15 @@ PictureSettings exactly(PictureSettings settings) {
   return settings;
 }
 
+/// True if the texels around a sample have its colour, or if there are none.
+bool isOneTexel(OtherProgram& program, const DiagnosedSample& s) {
+  const int here = program.texelAt(s.face, s.i, s.j);
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x)
+      if (program.texelAt(s.face, s.i + x, s.j + y) != here) return false;
+  return true;
+}
+
 }  // namespace
 
 std::string whyNotDiagnosed(const Scene& scene, const PictureSettings& settings) {
@@ -57,36 +66,41 @@ const std::vector<int>& Diagnoser::facesOf(PaintWay way) {
   return at->second;
 }
 
-void Diagnoser::chooseSamples() {
-  const SnappedScene& scene = picture_.snapped();
+std::vector<DiagnosedSample> Diagnoser::insideFaces() {
   const int w = settings_.width, h = settings_.height;
   const std::vector<int>& exact = facesOf(PaintWay::Nearest);
-  const std::vector<int> mean = paintedOver(scene, w, h, paintingOrder(scene, Order::ZMean)),
-                         far = paintedOver(scene, w, h, paintingOrder(scene, Order::ZSort));
-  std::vector<std::vector<DiagnosedSample>> ofFace(scene.faces.size());
   OtherProgram right{model_, xnewell::approachOf(settings_)};
   const bool smooth = rowOf(settings_.shading).interpolates;
   const bool textured = !picture_.scene().textures.empty();
-  std::vector<char> usable(scene.faces.size());
+  std::vector<char> usable(picture_.snapped().faces.size());
   for (std::size_t f = 0; f < usable.size(); ++f)
     usable[f] = !(smooth || textured) || right.canShow(static_cast<int>(f));
+  std::vector<DiagnosedSample> all;
   for (int j = 1; j + 1 < h; ++j)
     for (int i = 1; i + 1 < w; ++i) {
       const std::size_t at = static_cast<std::size_t>(j) * w + i;
       const int face = exact[at];
-      if (face == kNothing || mean[at] != face || far[at] != face || !usable[face]) continue;
+      if (face == kNothing || !usable[face]) continue;
       bool inside = true;
       for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) inside &= exact[at + y * w + x] == face;
-      if (inside) ofFace[face].push_back({i, j, face});
+      if (inside) all.push_back({i, j, face});
     }
-  const auto isOneTexel = [&](const DiagnosedSample& s) {
-    const int here = right.texelAt(s.face, s.i, s.j);
-    for (int y = -1; y <= 1; ++y)
-      for (int x = -1; x <= 1; ++x)
-        if (right.texelAt(s.face, s.i + x, s.j + y) != here) return false;
-    return true;
-  };
+  return all;
+}
+
+void Diagnoser::chooseSamples() {
+  const SnappedScene& scene = picture_.snapped();
+  const int w = settings_.width, h = settings_.height;
+  const std::vector<int> mean = paintedOver(scene, w, h, paintingOrder(scene, Order::ZMean)),
+                         far = paintedOver(scene, w, h, paintingOrder(scene, Order::ZSort));
+  std::vector<std::vector<DiagnosedSample>> ofFace(scene.faces.size());
+  for (const DiagnosedSample& s : insideFaces()) {
+    const std::size_t at = static_cast<std::size_t>(s.j) * w + s.i;
+    if (mean[at] == s.face && far[at] == s.face) ofFace[s.face].push_back(s);
+  }
+  OtherProgram right{model_, xnewell::approachOf(settings_)};
+  const bool textured = !picture_.scene().textures.empty();
   std::size_t faces = 0;
   for (const auto& one : ofFace) faces += !one.empty();
   if (faces == 0) return;
@@ -100,7 +114,8 @@ void Diagnoser::chooseSamples() {
   while (most < kMostSamples && takenAt(most + 1) <= kMostSamples) ++most;
   for (const auto& one : ofFace)
     for (std::size_t k = 0, take = std::min(most, one.size()); k < take; ++k)
-      if (const DiagnosedSample& s = one[(2 * k + 1) * one.size() / (2 * take)]; !textured || isOneTexel(s))
+      if (const DiagnosedSample& s = one[(2 * k + 1) * one.size() / (2 * take)];
+          !textured || isOneTexel(right, s))
         samples_.push_back(s);
 }
 
@@ -123,6 +138,18 @@ Diagnoser::Predicted::Predicted(const ShownHere& shown)
   for (int c = 0; c < 3; ++c) value[c] = static_cast<float>(shown.value[c]);
 }
 
+Diagnoser::Predicted Diagnoser::predictedAt(OtherProgram& program, const DiagnosedSample& s, int face) {
+  const ShownHere shown = program.at(face, s.i, s.j);
+  Predicted p{shown};
+  if (program.way().method == Shading::Gouraud || program.way().method == Shading::Phong)
+    for (const auto& [x, y] : {std::pair{1, 0}, {0, 1}}) {
+      const ShownHere next = program.at(face, s.i + x, s.j + y);
+      for (int c = 0; c < 3; ++c)
+        p.slope = std::max(p.slope, static_cast<float>(std::abs(next.value[c] - shown.value[c])));
+    }
+  return p;
+}
+
 std::vector<Diagnoser::Predicted> Diagnoser::predicted(const Approach& way, std::size_t stride) {
   OtherProgram program{model_, way};
   const std::vector<int>& faces = facesOf(way.paint);
@@ -133,18 +160,10 @@ std::vector<Diagnoser::Predicted> Diagnoser::predicted(const Approach& way, std:
     const DiagnosedSample& s = samples_[k];
     const int face = way.paint == PaintWay::Nearest ? s.face : faces[static_cast<std::size_t>(s.j) * w + s.i];
     Predicted p;
-    if (face == kNothing) {
+    if (face == kNothing)
       p.shows = false;
-    } else {
-      const ShownHere shown = program.at(face, s.i, s.j);
-      p = Predicted{shown};
-      if (way.method == Shading::Gouraud || way.method == Shading::Phong)
-        for (const auto& [x, y] : {std::pair{1, 0}, {0, 1}}) {
-          const ShownHere next = program.at(face, s.i + x, s.j + y);
-          for (int c = 0; c < 3; ++c)
-            p.slope = std::max(p.slope, static_cast<float>(std::abs(next.value[c] - shown.value[c])));
-        }
-    }
+    else
+      p = predictedAt(program, s, face);
     all.push_back(p);
   }
   return all;
@@ -191,9 +210,10 @@ bool Diagnoser::hasOurCells(const HandedIn& handed) {
   return false;
 }
 
-Diagnoser::Read Diagnoser::read(const HandedIn& handed, TurnWay turn, bool cells) const {
+Diagnoser::Read Diagnoser::read(const HandedIn& handed, std::span<const DiagnosedSample> samples,
+                                TurnWay turn, bool cells) const {
   Read all;
-  for (const DiagnosedSample& s : samples_) {
+  for (const DiagnosedSample& s : samples) {
     const auto [x, y] = turned(turn, s.i, s.j, settings_.width, settings_.height);
     const std::uint8_t* const p = handed.picture.pixel(x, y);
     all.value.push_back({p[0], p[1], p[2]});
@@ -213,7 +233,7 @@ Diagnosis Diagnoser::operator()(const HandedIn& handed) {
   }
   d.readsCells = hasOurCells(handed);
   reads_.clear();
-  asHanded_ = read(handed, TurnWay::Upright, d.readsCells);
+  asHanded_ = read(handed, samples_, TurnWay::Upright, d.readsCells);
   const OtherProgram right{model_, xnewell::approachOf(settings_)};
   const double top = model_.colors ? 255.0 : right.stored(right.brightest());
   d.brightest = static_cast<double>(std::ranges::count_if(
@@ -232,7 +252,7 @@ Diagnosis Diagnoser::operator()(const HandedIn& handed) {
         const Outlines outlines = outlinesOf(handed.picture, facesOf(paint), turn, *ground, kOverlap);
         if (outlines.overlap > best.overlap) best = outlines;
       }
-    reads_.push_back(best.overlap >= kOverlap ? read(handed, turn, d.readsCells) : Read{});
+    reads_.push_back(best.overlap >= kOverlap ? read(handed, samples_, turn, d.readsCells) : Read{});
     if (best.overlap > d.outlines.overlap) d.outlines = best;
   }
   if (d.outlines.overlap < kOverlap) {
@@ -242,7 +262,21 @@ Diagnosis Diagnoser::operator()(const HandedIn& handed) {
   decide(d);
   if ((d.verdict == Marking::Right || d.verdict == Marking::Allowed) && d.outlines.areOff())
     d.verdict = Marking::Outlines;
+  if (d.verdict == Marking::Right || d.verdict == Marking::Allowed) countOthers(handed, d);
   return d;
+}
+
+/// Where the picture shows another face than the nearest, which samples_ do not tell of: they leave out what
+/// a sort by z hides.
+void Diagnoser::countOthers(const HandedIn& handed, Diagnosis& d) {
+  OtherProgram program{model_, approachOf(d.found.front())};
+  const std::vector<DiagnosedSample> all = insideFaces();
+  const Read yours = read(handed, all, TurnWay::Upright, false);
+  d.inside = static_cast<int>(all.size());
+  const bool textured = !picture_.scene().textures.empty();
+  for (std::size_t k = 0; k < all.size(); ++k)
+    d.others += apart(yours, k, predictedAt(program, all[k], all[k].face)) > tolerance() &&
+                (!textured || isOneTexel(program, all[k]));
 }
 
 RgbImage Diagnoser::pictureBy(const Approach& way) {

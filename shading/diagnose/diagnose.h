@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -91,8 +92,9 @@ struct Diagnosis {
   /// What fits a picture that is right with a variant as well as that.
   std::vector<Fit> doubts;
   int samples = 0;
-  double exact = 1;      ///< the share of samples with the very value of the right picture
-  double brightest = 0;  ///< the share of samples where the picture has the shade of I = 1
+  int inside = 0, others = 0;  ///< of a right picture: all samples inside faces, and those of another shade
+  double exact = 1;            ///< the share of samples with the very value of the right picture
+  double brightest = 0;        ///< the share of samples where the picture has the shade of I = 1
   Outlines outlines{.overlap = 1};
   bool isOtherSize = false, isOneColor = false;
   bool readsCells = false;  ///< the cells of the picture are those of the table
@@ -149,9 +151,14 @@ class Diagnoser {
     std::vector<std::int16_t> cell;  ///< empty if its cells are not ours
   };
   [[nodiscard]] const std::vector<int>& facesOf(PaintWay way);
+  /// All samples inside faces, by row.
+  [[nodiscard]] std::vector<DiagnosedSample> insideFaces();
   void chooseSamples();
+  void countOthers(const HandedIn& handed, Diagnosis& d);
+  [[nodiscard]] static Predicted predictedAt(OtherProgram& program, const DiagnosedSample& s, int face);
   [[nodiscard]] std::optional<std::array<std::uint8_t, 3>> groundOf(const HandedIn& picture, TurnWay turn);
-  [[nodiscard]] Read read(const HandedIn& picture, TurnWay turn, bool cells) const;
+  [[nodiscard]] Read read(const HandedIn& picture, std::span<const DiagnosedSample> samples, TurnWay turn,
+                          bool cells) const;
   [[nodiscard]] bool hasOurCells(const HandedIn& picture);
   /// Every `stride`th sample; `other` has no more than these.
   [[nodiscard]] Fit fit(TurnWay turn, const std::vector<Predicted>& other, std::size_t stride = 1);

@@ -34,6 +34,7 @@ class OtherProgram {
  public:
   OtherProgram(OtherModel& model, const Approach& way);
 
+  [[nodiscard]] const Approach& way() const { return way_; }
   /// False for a face that clipping has cut: its values between the corners are not known here.
   [[nodiscard]] bool canShow(int face) const;
   /// At the sample of pixel (i, j), which one of the snapped faces owns.

@@ -23,9 +23,8 @@ void addLine(const HidingFaces& faces, const glm::dvec3& a, const glm::dvec3& b,
   for (const HidingFaces::Interval& part : hidden) add(unseen, part);
 }
 
-std::vector<FigureStroke> edgeStrokes(const SnappedScene& scene, const HidingFaces& faces,
-                                      FigureEdges edges) {
-  if (edges == FigureEdges::None) return {};
+std::vector<FigureStroke> edgeStrokes(const SnappedScene& scene, const HidingFaces& faces, ModelEdges edges) {
+  if (edges == ModelEdges::None) return {};
   struct Edge {
     glm::dvec3 a, b;
     std::vector<int> numbers;  ///< of the model's faces beside it
@@ -49,7 +48,7 @@ std::vector<FigureStroke> edgeStrokes(const SnappedScene& scene, const HidingFac
     if (std::ranges::adjacent_find(edge.numbers) != edge.numbers.end()) continue;  // a face is divided there
     addLine(faces, edge.a, edge.b, seen, unseen);
   }
-  if (edges != FigureEdges::All) unseen.lines.clear();
+  if (edges != ModelEdges::All) unseen.lines.clear();
   std::vector<FigureStroke> strokes;
   for (FigureStroke* stroke : {&unseen, &seen})
     if (!stroke->lines.empty()) strokes.push_back(std::move(*stroke));

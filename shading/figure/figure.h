@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +31,20 @@ using FigureColor = std::array<std::uint8_t, 3>;  ///< red, green, blue
 [[nodiscard]] inline FigureColor figureColorOf(const Rgb16& color) {
   return {static_cast<std::uint8_t>(color.r >> 8), static_cast<std::uint8_t>(color.g >> 8),
           static_cast<std::uint8_t>(color.b >> 8)};
+}
+
+/// The same of red, green, blue in [0, 1].
+[[nodiscard]] inline FigureColor figureColorOf(const glm::dvec3& color) {
+  const auto byte = [](double v) { return static_cast<std::uint8_t>(std::lround(255 * v)); };
+  return {byte(color.r), byte(color.g), byte(color.b)};
+}
+
+/// "#0088fe"
+[[nodiscard]] inline std::string hexOf(const FigureColor& color) {
+  std::string hex = "#";
+  for (const std::uint8_t byte : color)
+    for (const int digit : {byte >> 4, byte & 15}) hex += "0123456789abcdef"[digit];
+  return hex;
 }
 
 /// A triangle whose colour is linear between those of its corners. The corners are on no common line.
@@ -59,16 +75,6 @@ struct FigureText {
   int size = 12 * kFigureSteps;  ///< of the font, in steps
   std::string text;              ///< UTF-8, of characters that the font has
 };
-
-/// Which edges of the model a figure shows.
-enum class FigureEdges { None, Visible, All };
-struct FigureEdgesRow {
-  FigureEdges id;
-  std::string_view name;
-};
-inline constexpr std::array kFigureEdges{FigureEdgesRow{FigureEdges::None, "none"},
-                                         FigureEdgesRow{FigureEdges::Visible, "visible"},
-                                         FigureEdgesRow{FigureEdges::All, "all"}};
 
 /// What was done to the fragments of the painting order to make the paths.
 struct FigureStatistics {

@@ -157,24 +157,13 @@ FigureStages::FigureStages(const Scene& scene, const PictureSettings& settings, 
 VectorFigure marksOf(const Picture& picture) {
   VectorFigure made;
   made.width = picture.settings().width, made.height = picture.settings().height;
-  const SceneMarks& marks = picture.scene().marks;
-  if (marks.lines.empty() && marks.labels.empty()) return made;
-  const Picture withPlanes = picture.withPlanes();
-  addMarks(marks, withPlanes, HidingFaces{withPlanes.snapped(), made.width, made.height}, FigureEdges::None,
-           made);
+  if (!picture.scene().marks.empty()) addMarks(picture.withPlanes(), made);
   return made;
 }
 
-VectorFigure FigureStages::figure(FigureColors colors, FigureEdges edges,
-                                  const FigureColor& edgeColor) const {
+VectorFigure FigureStages::figure(FigureColors colors) const {
   VectorFigure made = makeFigure(picture, order, palette, colors, split);
-  const SceneMarks& marks = picture.scene().marks;
-  if (colors == FigureColors::Ids) return made;  // nothing but the faces
-  if (edges == FigureEdges::None && marks.lines.empty() && marks.labels.empty()) return made;
-  const HidingFaces faces{picture.snapped(), made.width, made.height};
-  made.strokes = edgeStrokes(picture.snapped(), faces, edges);
-  for (FigureStroke& stroke : made.strokes) stroke.color = edgeColor;
-  addMarks(marks, picture, faces, edges, made);
+  if (colors != FigureColors::Ids) addMarks(picture, made);
   return made;
 }
 

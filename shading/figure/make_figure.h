@@ -32,7 +32,7 @@ struct ShadeSplit {
                                       const Palette& palette, FigureColors colors = FigureColors::Shades,
                                       const ShadeSplit& split = {}, int strip = kStrip);
 
-/// The lines and labels of the scene that no face of its picture hides, without paths.
+/// Only the edges, lines and labels that the scene's picture shows, without paths.
 [[nodiscard]] VectorFigure marksOf(const Picture& picture);
 
 /// All that a scene's figures are made of. @throws ViewError, TooManyPieces
@@ -44,9 +44,7 @@ struct FigureStages {
   ShadeSplit split;
 
   FigureStages(const Scene& scene, const PictureSettings& settings, int tolerance, bool smooth = false);
-  [[nodiscard]] VectorFigure figure(FigureColors colors = FigureColors::Shades,
-                                    FigureEdges edges = FigureEdges::None,
-                                    const FigureColor& edgeColor = {}) const;
+  [[nodiscard]] VectorFigure figure(FigureColors colors = FigureColors::Shades) const;
 };
 
 }  // namespace xnewell

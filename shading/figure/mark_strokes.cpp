@@ -13,12 +13,6 @@ namespace xnewell {
 
 namespace {
 
-FigureColor bytesOf(const glm::dvec3& color) {
-  FigureColor bytes;
-  for (int c = 0; c < 3; ++c) bytes[c] = static_cast<std::uint8_t>(std::lround(255 * color[c]));
-  return bytes;
-}
-
 /// Puts places of the world into the snapped scene.
 class OnScreen {
  public:
@@ -63,18 +57,22 @@ class OnScreen {
 
 }  // namespace
 
-void addMarks(const SceneMarks& marks, const Picture& picture, const HidingFaces& faces, FigureEdges edges,
-              VectorFigure& figure) {
+void addMarks(const Picture& picture, VectorFigure& figure) {
+  const SceneMarks& marks = picture.scene().marks;
+  if (marks.empty()) return;
   const OnScreen screen{picture};
+  const HidingFaces faces{picture.snapped(), figure.width, figure.height};
+  figure.strokes = edgeStrokes(picture.snapped(), faces, marks.edges);
+  for (FigureStroke& stroke : figure.strokes) stroke.color = figureColorOf(marks.edgeColor);
   for (const SceneLine& line : marks.lines) {
     FigureStroke seen{
-        bytesOf(line.color), static_cast<int>(std::lround(line.width * kFigureSteps)), false, {}};
+        figureColorOf(line.color), static_cast<int>(std::lround(line.width * kFigureSteps)), false, {}};
     FigureStroke unseen = seen;
     unseen.dashed = true;
     for (std::size_t k = 1; k < line.points.size(); ++k)
       if (const auto part = screen.line(line.points[k - 1], line.points[k]))
         addLine(faces, part->first, part->second, seen, unseen);
-    if (edges == FigureEdges::All && !unseen.lines.empty()) figure.strokes.push_back(std::move(unseen));
+    if (marks.edges == ModelEdges::All && !unseen.lines.empty()) figure.strokes.push_back(std::move(unseen));
     if (!seen.lines.empty()) figure.strokes.push_back(std::move(seen));
   }
   for (const SceneLabel& label : marks.labels) {
@@ -82,7 +80,7 @@ void addMarks(const SceneMarks& marks, const Picture& picture, const HidingFaces
     if (!at || faces.hides(at->first)) continue;
     const glm::dvec3 steps = at->first * (static_cast<double>(kFigureSteps) / kGrid);
     figure.texts.push_back({{static_cast<int>(std::lround(steps.x)), static_cast<int>(std::lround(steps.y))},
-                            bytesOf(label.color),
+                            figureColorOf(label.color),
                             static_cast<int>(std::lround(label.size * kFigureSteps)),
                             label.text});
   }

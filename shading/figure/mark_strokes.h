@@ -1,14 +1,12 @@
 #pragma once
 
 #include "shading/figure/figure.h"
-#include "shading/figure/hiding_faces.h"
 #include "shading/picture/picture.h"
 
 namespace xnewell {
 
-/// Adds the lines and labels of a scene to its figure: what faces in front do not hide. With
-/// FigureEdges::All, hidden lines are dashed.
-void addMarks(const SceneMarks& marks, const Picture& picture, const HidingFaces& faces, FigureEdges edges,
-              VectorFigure& figure);
+/// Adds the edges, lines and labels of a scene to the figure of its picture: what faces in front do not hide.
+/// With ModelEdges::All, hidden edges and lines are dashed. The picture has planes if the scene has any.
+void addMarks(const Picture& picture, VectorFigure& figure);
 
 }  // namespace xnewell

@@ -46,14 +46,9 @@ constexpr std::int64_t kDash = 3 * kFigureSteps;  ///< the length of a dash, and
 
 /// "#08f" or "#0088fe".
 std::string hex(const Color& color) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text = "#";
+  const std::string text = hexOf(color);
   const bool shorter = std::ranges::all_of(color, [](std::uint8_t c) { return c >> 4 == (c & 15); });
-  for (const std::uint8_t c : color) {
-    text += kDigits[c >> 4];
-    if (!shorter) text += kDigits[c & 15];
-  }
-  return text;
+  return shorter ? std::string{'#', text[1], text[3], text[5]} : text;
 }
 
 std::string escaped(std::string_view text) {

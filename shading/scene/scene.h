@@ -47,7 +47,8 @@ struct SceneOrigin {
   std::string texture = {};               ///< the file of the texture that wear() applied; "" for none
 };
 
-/// What a scene adds to its objects: lines and words that have a place in space, in the units of the mesh.
+/// What is drawn over a scene's picture: edges of its model, and lines and words that have a place in space,
+/// in the units of the mesh.
 struct SceneLine {
   std::vector<glm::dvec3> points;
   glm::dvec3 color{0};
@@ -59,9 +60,21 @@ struct SceneLabel {
   glm::dvec3 color{0};
   double size = 12;  ///< of the font, in pixels
 };
+/// Which edges of the model a picture shows as lines.
+enum class ModelEdges { None, Visible, All };
+struct ModelEdgesRow {
+  ModelEdges id;
+  std::string_view name;
+};
+inline constexpr std::array kModelEdges{ModelEdgesRow{ModelEdges::None, "none"},
+                                        ModelEdgesRow{ModelEdges::Visible, "visible"},
+                                        ModelEdgesRow{ModelEdges::All, "all"}};
 struct SceneMarks {
   std::vector<SceneLine> lines;
   std::vector<SceneLabel> labels;
+  ModelEdges edges = ModelEdges::None;
+  glm::dvec3 edgeColor{0};
+  [[nodiscard]] bool empty() const { return lines.empty() && labels.empty() && edges == ModelEdges::None; }
 };
 
 /// What is to be drawn. World coordinates are scaled by a power of two so that the largest is in [1/2, 1).

@@ -68,6 +68,7 @@ Scene readyScene(Options& options) {
     wear(scene, readTexture(options.texture));
     scene.origin.texture = options.texture;
   }
+  scene.marks.edges = options.edges, scene.marks.edgeColor = options.edgeColor;
   return scene;
 }
 

@@ -23,12 +23,6 @@ namespace xnewell {
 
 namespace {
 
-std::array<std::uint8_t, 3> colorOf(const std::string& hex) {
-  const auto number = static_cast<std::uint32_t>(std::stoul(hex.substr(1), nullptr, 16));
-  return {static_cast<std::uint8_t>(number >> 16), static_cast<std::uint8_t>(number >> 8),
-          static_cast<std::uint8_t>(number)};
-}
-
 /// The errors of a figure, beside those of the picture that `draw` makes.
 FigureErrors errorsOf(const VectorFigure& figure, const Options& options, const Scene& scene) {
   const Doing measuring{"measuring the errors"};
@@ -49,8 +43,8 @@ void drawFigure(const Options& options, const Scene& scene) {
   doing.reset();
   doing.emplace("joining areas");
   const auto made = [&](FigureColors colors) {
-    VectorFigure figure = stages.figure(colors, options.edges, colorOf(options.edgeColor));
-    if (!options.paper.empty()) figure.paper = {colorOf(options.paper)};
+    VectorFigure figure = stages.figure(colors);
+    if (options.paper) figure.paper = {figureColorOf(*options.paper)};
     figure.note = noteOf(options, stages.picture);
     return figure;
   };

@@ -170,10 +170,10 @@ void printDiagnosis(const Diagnosis& d, const PartedBy& parted, std::ostream& ou
   if (d.verdict == Marking::Mistake) out << "  [" << fitTerms(d.found.front()) << ']';
   out << '\n';
   const bool isWrong = d.verdict != Marking::Right && d.verdict != Marking::Allowed;
-  const std::int64_t others = isWrong ? 0 : std::llround((1.0 - d.found.front().explained) * d.samples);
-  if (others > 0)
-    out << "  at " << grouped(others) << " of " << grouped(d.samples)
-        << " samples it shows another shade or another face; xnewell judge says whether its order is right\n";
+  if (d.others > 0)
+    out << "  at " << grouped(d.others) << " of " << counted(d.inside, "sample")
+        << " inside faces it shows another shade or another face; xnewell judge says whether its order is "
+           "right\n";
   if (d.found.size() > 1 && isWrong && d.verdict != Marking::Outlines)
     for (const Fit& fit : d.found) out << "  " << inWords(fit) << "  [" << fitTerms(fit) << "]\n";
   if (!d.found.empty() && isWrong && d.verdict != Marking::Outlines) {

@@ -22,10 +22,10 @@ using std::string_view;
 constexpr string_view kOutput = " -o picture.png";  ///< the end of each command
 
 /// The options of the picture that are no settings (settings.h).
-constexpr std::array<string_view, 17> kOfPicture{
-    "--size", "--divisions", "--keep",        "--max-fragments", "--eye", "--look-at",
-    "--up",   "--fov",       "--parallel",    "--oblique",       "--vrp", "--vpn",
-    "--vup",  "--prp",       "--view-window", "--front",         "--back"};
+constexpr std::array<string_view, 19> kOfPicture{
+    "--size",        "--divisions", "--keep",    "--max-fragments", "--eye",       "--look-at", "--up",
+    "--fov",         "--parallel",  "--oblique", "--vrp",           "--vpn",       "--vup",     "--prp",
+    "--view-window", "--front",     "--back",    "--edges",         "--edge-color"};
 /// What is drawn of the picture without the window, and how its colours are stored.
 constexpr std::array<string_view, 8> kOfDrawing{"--scanline", "--cell", "--store",  "--turn",
                                                 "--gamma",    "--bend", "--rotate", "--lit"};
@@ -154,6 +154,7 @@ std::vector<std::string> argumentsFor(const Options& said, const CarriedSetup& c
   const auto fits = [&](string_view name) {
     if (carried.lesson) return true;
     if (name == "--fill") return window || snapshot;
+    if (name.starts_with("--edge")) return shows || command == Command::Figure;
     if (name == "--size")
       return whole == carried.wholeWindow && command != Command::Extremes && rowOf(command).takes.empty() &&
              command != Command::Questions;

@@ -27,7 +27,8 @@ void addPlaces(Reader& r) {
   only({"--store", "--turn", "--gamma", "--bend", "--rotate", "--lit"}, {"draw", "snapshot"});
   only({"--bare", "--ids", "--stats", "--errors"}, {"draw", "snapshot", "figure"});
   only({"--costs"}, {"draw", "snapshot"});
-  only({"--paper", "--tolerance", "--smooth", "--edges", "--edge-color"}, {"figure"});
+  only({"--paper", "--tolerance", "--smooth"}, {"figure"});
+  only({"--edges", "--edge-color"}, {"view", "draw", "snapshot", "figure"});
   only({"--accuracy"}, {"view", "draw", "snapshot"});
   only({"--json"}, {"explain", "trade", "extremes", "diagnose", "judge"});
   only({"--axes", "--without"}, {"trade"});

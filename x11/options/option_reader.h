@@ -50,15 +50,16 @@ class Reader {
     });
     for (const Choice& choice : row.field.choices) words_[name].emplace_back(choice.name);
   }
-  /// Adds a number in [low, high]. `initially` is its default in words, if it is not the number's own.
+  /// Adds a number in [low, high]. `initially` is its default in words, if it is not the number's own; `why`
+  /// ends the message that refuses another number.
   template <class Number>
   void number(const std::string& name, Number& target, double low, double high, const std::string& help,
-              std::string initially = "") {
+              std::string initially = "", const std::string& why = "") {
     if (initially.empty()) initially = textOf(static_cast<double>(target));
     text(name, help, initially, [=, &target](const std::string& given) {
       const bool whole = std::is_integral_v<Number>;
-      const std::string needed =
-          std::string{whole ? "a whole number" : "a number"} + " from " + textOf(low) + " to " + textOf(high);
+      const std::string needed = std::string{whole ? "a whole number" : "a number"} + " from " + textOf(low) +
+                                 " to " + textOf(high) + why;
       const double v = numbers(name, given, 1, needed)[0];
       if (v < low || v > high || (whole && v != std::floor(v))) refuse(name, given, needed);
       target = static_cast<Number>(v);

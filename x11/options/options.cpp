@@ -159,7 +159,8 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
          [&](const std::string& s) { o.size = parseSize(s); });
   r.number("--scale", o.scale, 1, kMostScale,
            "how many times as large the window's letters, lines and controls are; the picture keeps its own "
-           "pixels. For the window, and for pictures of it. Without it, the screen decides for the window");
+           "pixels. For the window, and for pictures of it. Without it, the screen decides for the window",
+           "", "; the letters are made of pixels, and a part of a pixel cannot be drawn");
   r.number("--divisions", o.divisions, 1, kMaxDivisions,
            "each Bezier patch becomes N x N polygons, unless the scene file gives the number");
   for (const Setting& row : settingRows()) r.setting(row, o.overrides);
@@ -187,29 +188,25 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
           "also write the face image: 8-bit RGB, face number + 1, 0 where there is no face; figure: also "
           "write the "
           "figure in these colours");
-  const auto color = [&r](const char* name, std::string& of, const char* does, const char* usual) {
+  const auto color = [&r](const char* name, auto& of, const char* does, const char* usual) {
     r.text(name, does, usual, [name, &of](const std::string& s) {
       if (s.size() != 7 || s[0] != '#' || s.find_first_not_of("0123456789abcdefABCDEF", 1) != s.npos)
         refuse(name, s, "#rrggbb, a colour by six hexadecimal digits");
-      of = s;
+      const int rgb = std::stoi(s.substr(1), nullptr, 16);
+      of = glm::dvec3{rgb >> 16, rgb >> 8 & 255, rgb & 255} / 255.0;
     });
   };
   color("--paper", o.paper, "figure: the colour behind it, such as #ffffff", "none, so that the page shows");
-  r.choice("--edges", kFigureEdges, o.edges,
-           "figure: the edges of the model's faces as lines, in front or all; hidden ones are dashed");
-  color("--edge-color", o.edgeColor, "figure: the colour of the edges, such as #808080", "#000000");
+  r.choice("--edges", kModelEdges, o.edges,
+           "the edges of the model's faces as lines, in front or all; hidden ones are dashed");
+  color("--edge-color", o.edgeColor, "the colour of the edges, such as #808080", "#000000");
   r.flag("--smooth", o.smooth,
          "figure, PDF: Gouraud shading as triangles with a colour at each corner, which the reader "
          "interpolates; the file is small, and the shades have no borders");
-  r.text("--tolerance",
-         "figure: how far colours that change over a face may be off, in steps of 1/255; more makes smaller "
-         "files",
-         "2", [&](const std::string& s) {
-           const std::string expected = "a whole number from 0 to 64";
-           const double v = numbers("--tolerance", s, 1, expected)[0];
-           if (v < 0 || v > 64 || v != std::floor(v)) refuse("--tolerance", s, expected);
-           o.tolerance = static_cast<int>(v);
-         });
+  r.number(
+      "--tolerance", o.tolerance, 0, 64,
+      "figure: how far colours that change over a face may be off, in steps of 1/255; more makes smaller "
+      "files");
   r.flag("--bare", o.bare,
          "the file carries no set-up, so that two files of the same pixels are the same, however they were "
          "drawn");

@@ -120,11 +120,11 @@ struct Options {
   MapOwner colormap = MapOwner::Private;
   bool nearest = false;  ///< true: a colour that the server lacks becomes the nearest it has, not a mixture
   std::string output, ids;
-  std::string paper;                  ///< figure: the colour behind it, "#rrggbb"; "" for none
-  std::string edgeColor = "#000000";  ///< figure
-  int tolerance = kFigureTolerance;   ///< figure: how far colours from samples may be off, in steps of 1/255
-  bool smooth = false;                ///< figure: Gouraud shading as triangles, in PDF
-  FigureEdges edges = FigureEdges::None;
+  std::optional<glm::dvec3> paper;   ///< figure: the colour behind it
+  int tolerance = kFigureTolerance;  ///< figure: how far colours from samples may be off, in steps of 1/255
+  bool smooth = false;               ///< figure: Gouraud shading as triangles, in PDF
+  ModelEdges edges = ModelEdges::None;
+  glm::dvec3 edgeColor{0};
   bool bare = false;    ///< the PNG file carries no set-up
   bool stats = false;   ///< also if only --errors or --costs was given
   bool errors = false;  ///< with the errors

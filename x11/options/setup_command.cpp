@@ -6,6 +6,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "shading/figure/figure.h"
 #include "shading/scene/settings.h"
 #include "shading/scene/units.h"
 #include "x11/options/read_value.h"
@@ -150,6 +151,11 @@ std::string SetupCommand::of(const PictureSettings& settings, int divisions, Fil
   if (settings.mostPieces != PictureSettings{}.mostPieces)
     command += option("--max-fragments", std::to_string(settings.mostPieces));
   if (!scene_.origin.texture.empty()) command += option("--texture", scene_.origin.texture);
+  if (const SceneMarks& marks = scene_.marks; marks.edges != ModelEdges::None) {
+    command += option("--edges", std::string{kModelEdges[static_cast<std::size_t>(marks.edges)].name});
+    if (marks.edgeColor != glm::dvec3{0})
+      command += option("--edge-color", hexOf(figureColorOf(marks.edgeColor)));
+  }
   if (server) command += " --fill x11";
   return command + cameraOf(settings) + " -o picture.png";
 }

@@ -41,7 +41,9 @@ IndexImage withMarks(const Picture& picture, const Palette& palette) {
       for (std::size_t k = 1; k < line.size(); ++k)
         Painter{image}.line(pixels(line[k - 1].x), pixels(line[k - 1].y), pixels(line[k].x),
                             pixels(line[k].y), nearestCell(stroke.color, palette),
-                            {.thickness = std::max(1, pixels(stroke.width + kFigureSteps / 2))});
+                            {.thickness = std::max(1, pixels(stroke.width + kFigureSteps / 2)),
+                             .on = kDash,
+                             .off = stroke.dashed ? kDashPeriod - kDash : 0});
   for (const FigureText& text : marks.texts) {
     const int unit = std::max(1, pixels(text.size + 6 * kFigureSteps) / 12);  // letters have whole units
     Painter{image, unit}.text(pixels(text.at.x) / unit, pixels(text.at.y) / unit, text.text,

@@ -61,8 +61,8 @@ struct ShownPicture {
   std::string finding;
 };
 
-/// The image of a painted picture, and over it the lines and labels of its scene that no face hides, each in
-/// the cell that looks most like its colour.
+/// The image of a painted picture, and over it the edges, lines and labels of its scene, each in the
+/// cell that looks most like its colour.
 [[nodiscard]] IndexImage withMarks(const Picture& picture, const Palette& palette);
 
 /// `picture` is painted; `palette` has its colours. Show::Difference needs the truth, which takes long to

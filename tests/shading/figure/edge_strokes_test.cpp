@@ -117,27 +117,28 @@ TEST(EdgeStrokes, OfACube) {
   settings.width = 320, settings.height = 240, settings.camera = scene.camera;
   const Picture picture = makePicture(std::move(scene), settings, std::uint8_t{0}).withPlanes();
   const HidingFaces faces{picture.snapped(), 320, 240};
-  const auto strokes = edgeStrokes(picture.snapped(), faces, FigureEdges::All);
+  const auto strokes = edgeStrokes(picture.snapped(), faces, ModelEdges::All);
   ASSERT_EQ(strokes.size(), 2u);
   EXPECT_TRUE(strokes[0].dashed);
   EXPECT_EQ(strokes[0].lines.size(), 3u);
   EXPECT_EQ(strokes[1].lines.size(), 9u);
-  EXPECT_EQ(edgeStrokes(picture.snapped(), faces, FigureEdges::Visible).size(), 1u);
-  EXPECT_TRUE(edgeStrokes(picture.snapped(), faces, FigureEdges::None).empty());
+  EXPECT_EQ(edgeStrokes(picture.snapped(), faces, ModelEdges::Visible).size(), 1u);
+  EXPECT_TRUE(edgeStrokes(picture.snapped(), faces, ModelEdges::None).empty());
 }
 
 /// The figure of a square in the plane z = 0, seen from the front, with lines and labels.
-VectorFigure figureWith(const std::string& marks, FigureEdges edges) {
+VectorFigure figureWith(const std::string& marks, ModelEdges edges) {
   const TemporaryFolder folder;
   const std::string file = folder.write(
       "marked.json",
       R"({"objects": [{"polygons": [[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]]}], "camera": {"eye": [0, 0, 9]}, )" +
           marks + "}");
-  const Scene scene = readScene(file);
+  Scene scene = readScene(file);
+  scene.marks.edges = edges;
   PictureSettings settings = scene.settings;
   settings.width = 320, settings.height = 240, settings.order = Order::Newell;
   settings.camera = scene.camera;
-  return FigureStages{scene, settings, kFigureTolerance}.figure(FigureColors::Shades, edges);
+  return FigureStages{scene, settings, kFigureTolerance}.figure();
 }
 
 // A line through a face shows in front of it. What is behind is dashed if hidden lines are asked for, and the
@@ -145,7 +146,7 @@ VectorFigure figureWith(const std::string& marks, FigureEdges edges) {
 TEST(MarkStrokes, LinesPassThroughFaces) {
   const std::string lines =
       R"("lines": [{"points": [[0.5, 0, 1], [-0.5, 0, -1]], "color": [0, 0, 1], "width": 2}])";
-  const VectorFigure figure = figureWith(lines, FigureEdges::None);
+  const VectorFigure figure = figureWith(lines, ModelEdges::None);
   ASSERT_EQ(figure.strokes.size(), 1u);
   const FigureStroke& seen = figure.strokes[0];
   EXPECT_EQ(seen.color, (FigureColor{0, 0, 255}));
@@ -155,7 +156,7 @@ TEST(MarkStrokes, LinesPassThroughFaces) {
   EXPECT_GT(seen.lines[0].front().x, middle.x);
   EXPECT_LE(std::abs(seen.lines[0].back().x - middle.x), 1);
   EXPECT_LE(std::abs(seen.lines[0].back().y - middle.y), 1);
-  const VectorFigure all = figureWith(lines, FigureEdges::All);
+  const VectorFigure all = figureWith(lines, ModelEdges::All);
   const auto dashed = std::ranges::find_if(all.strokes, [](const FigureStroke& s) { return s.dashed; });
   ASSERT_NE(dashed, all.strokes.end());
   EXPECT_EQ(dashed->lines[0].front(), seen.lines[0].back());
@@ -166,7 +167,7 @@ TEST(MarkStrokes, FacesHideLabels) {
   const VectorFigure figure = figureWith(
       R"("labels": [{"text": "front", "at": [0, 0, 1]}, {"text": "on", "at": [0.5, 0, 0], "size": 20},
                     {"text": "behind", "at": [0, 0, -1]}, {"text": "beside", "at": [1.3, 0, -1]}])",
-      FigureEdges::None);
+      ModelEdges::None);
   ASSERT_EQ(figure.texts.size(), 3u);
   EXPECT_EQ(figure.texts[0].text, "front");
   EXPECT_EQ(figure.texts[0].at, (glm::ivec2{160, 120} * kFigureSteps));
@@ -177,7 +178,7 @@ TEST(MarkStrokes, FacesHideLabels) {
 TEST(MarkStrokes, FilesAreChecked) {
   const auto complaint = [](const std::string& marks) -> std::string {
     try {
-      (void)figureWith(marks, FigureEdges::None);
+      (void)figureWith(marks, ModelEdges::None);
     } catch (const ParseError& e) {
       const std::string what = e.what();
       return what.substr(what.find(": ") + 2);

@@ -1,12 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "shading/color/png.h"
+#include "shading/picture/picture_cache.h"
 #include "shading/scene/scene.h"
 #include "tests/x11/support/command_fixture.h"
+#include "x11/options/options.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -131,34 +133,68 @@ TEST_F(CommandTest, QuestionsAreWritten) {
   refused({"questions"}, 2, "questions needs a scene, such as teapot");
 }
 
+namespace {
+
+struct OneZ {
+  std::string name;
+  double (*of)(double far, double near, double mean);
+};
+const std::array kSorts{OneZ{"farthest", [](double far, double, double) { return far; }},
+                        OneZ{"nearest", [](double, double near, double) { return near; }},
+                        OneZ{"mean", [](double, double, double mean) { return mean; }}};
+
+}  // namespace
+
 // A sort by one z of each face is right on no scene of the exercises but the one that asks for it.
 TEST_F(CommandTest, JudgeTellsSortsByZApart) {
-  const auto sortedBy = [&](const std::string& scene, const auto& zOf) {
-    const Scene read = readScene(scene);
-    std::vector<std::pair<double, int>> order;
-    for (int f = 0; f < read.mesh.faceCount(); ++f) {
-      double far = 1e9, near = -1e9, sum = 0;
-      for (const int p : read.mesh.face(f)) {
-        const double z = read.mesh.points[static_cast<std::size_t>(p)].z;
-        far = std::min(far, z), near = std::max(near, z), sum += z;
+  for (const std::string scene : {"leaning-card", "leaning-cards", "bench", "teapot"}) {
+    Scene read = readScene(scene);
+    PictureSettings s = read.settings;
+    s.width = kPictureSize.x, s.height = kPictureSize.y, s.order = Order::Unsorted;
+    s.camera = completed({}, read.camera);
+    const Picture picture = makePicture(std::move(read), s, std::uint8_t{0});
+    const SnappedScene& snapped = picture.snapped();
+    for (const OneZ& sort : kSorts) {
+      std::vector<std::pair<double, int>> order;
+      for (const SnappedFace& face : snapped.faces) {
+        double far = 1e9, near = -1e9, sum = 0;
+        for (int k = face.first; k < face.first + face.count; ++k) {
+          const double z = snapped.vertices[static_cast<std::size_t>(k)].z;
+          far = std::min(far, z), near = std::max(near, z), sum += z;
+        }
+        order.emplace_back(sort.of(far, near, sum / face.count), face.number);
       }
-      order.emplace_back(zOf(far, near, sum / static_cast<double>(read.mesh.face(f).size())), f);
+      std::ranges::sort(order);
+      std::ofstream out{file("order.jsonl")};
+      for (const auto& [z, f] : order) out << "{\"face\": " << f << "}\n";
+      out.close();
+      const Finished judged = runProgram({"judge", scene, file("order.jsonl")});
+      EXPECT_EQ(judged.status, scene == "leaning-card" && sort.name == "farthest" ? 0 : 1)
+          << scene << ", " << sort.name << ": " << judged.out;
     }
-    std::ranges::sort(order);
-    std::ofstream out{file("order.jsonl")};
-    for (const auto& [z, f] : order) out << "{\"face\": " << f << "}\n";
-    out.close();
-    return runProgram({"judge", scene, file("order.jsonl")}).status;
-  };
-  const auto farthest = [](double far, double, double) { return far; };
-  const auto nearest = [](double, double near, double) { return near; };
-  const auto mean = [](double, double, double middle) { return middle; };
-  EXPECT_EQ(sortedBy("leaning-card", farthest), 0);
-  EXPECT_EQ(sortedBy("leaning-card", nearest), 1);
-  EXPECT_EQ(sortedBy("leaning-card", mean), 1);
-  EXPECT_EQ(sortedBy("leaning-cards", farthest), 1);
-  EXPECT_EQ(sortedBy("leaning-cards", nearest), 1);
-  EXPECT_EQ(sortedBy("leaning-cards", mean), 1);
+  }
+}
+
+// A picture of a sort by z may have only right shades. Below the verdict stands at how many samples it
+// differs.
+TEST_F(CommandTest, DiagnoseCountsWhatASortByZShows) {
+  for (const std::string scene : {"bench", "teapot"})
+    for (const std::string order : {"newell", "zsort", "zmean"}) {
+      const std::string drawn = file(order + ".png");
+      ASSERT_EQ(runProgram({"draw", scene, "--order", order, "-o", drawn, "--bare"}).status, 0);
+      const RgbImage exact = readPng(file("newell.png")), picture = readPng(drawn);
+      int differ = 0;
+      for (std::size_t k = 0; k < exact.rgb.size(); k += 3)
+        differ += !std::equal(&exact.rgb[k], &exact.rgb[k] + 3, &picture.rgb[k]);
+      const Finished said = runProgram({"diagnose", scene, drawn});
+      EXPECT_EQ(said.status, 0);
+      std::string count =
+          said.out.starts_with("right\n  at ") ? said.out.substr(11, said.out.find(" of ") - 11) : "0";
+      std::erase(count, ',');
+      EXPECT_LE(std::stoi(count), differ) << scene << ' ' << order << said.out;
+      EXPECT_GE(std::stoi(count), differ / 3) << scene << ' ' << order << said.out;
+      EXPECT_EQ(differ > 0, order != "newell");
+    }
 }
 
 }  // namespace xnewell::THIS_FILE

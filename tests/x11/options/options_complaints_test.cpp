@@ -190,6 +190,7 @@ TEST(Options, FiguresAreOfPolygons) {
   EXPECT_EQ(figure({"--paper", "white"}),
             "--paper: 'white' is not #rrggbb, a colour by six hexadecimal digits");
   EXPECT_EQ(complaint({"--paper", "#ffffff"}), "--paper works only with figure");
+  EXPECT_EQ(complaint({"--edges", "all"}), "");
   EXPECT_EQ(figure({"--edges", "all", "--edge-color", "#80808"}),
             "--edge-color: '#80808' is not #rrggbb, a colour by six hexadecimal digits");
   EXPECT_EQ(figure({"--costs"}), "--costs works only with draw and snapshot");
@@ -198,7 +199,6 @@ TEST(Options, FiguresAreOfPolygons) {
   EXPECT_EQ(figure({"--smooth"}),
             "--smooth needs -o FILE.pdf: only PDF has triangles with a colour at each corner");
   EXPECT_EQ(complaintAll({"figure", "teapot", "--smooth", "-o", "a.PDF"}), "");
-  EXPECT_EQ(complaint({"--edges", "all"}), "--edges works only with figure");
   EXPECT_EQ(figure({"--tolerance", "65"}), "--tolerance: '65' is not a whole number from 0 to 64");
   EXPECT_EQ(figure({"--order", "bsp"}),
             "--order bsp leaves out what has no sample: use --order newell for a figure");
@@ -239,6 +239,10 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({"lesson", "cycles", "--scale", "2", "--size", "1599x1200"}),
             "a lesson needs a --size of at least 1600x1080");
   EXPECT_EQ(complaintAll({"lesson", "cycles", "--scale", "2"}), "");
+  EXPECT_EQ(
+      complaintAll({"lesson", "cycles", "--scale", "1.5"}),
+      "--scale: '1.5' is not a whole number from 1 to 4; the letters are made of pixels, and a part of a "
+      "pixel cannot be drawn");
   EXPECT_EQ(complaint({"--fill", "x11"}), "--fill x11 needs a server: use snapshot");
   for (const OrderRow& row : kOrders) {
     const std::string name{row.name};

@@ -166,6 +166,11 @@ TEST_F(SetupCommandTest, SaysWhatDiffers) {
                    s.camera.eye = glm::dvec3{-1, 0.1, 3}, s.camera.fov = 20;
                  }),
             "teapot --size 64x48 --eye=-1,0.1,3 --fov 20");
+  EXPECT_EQ(said("teapot",
+                 [](Scene& scene, PictureSettings&) {
+                   scene.marks.edges = ModelEdges::All, scene.marks.edgeColor = glm::dvec3{255, 8, 0} / 255.0;
+                 }),
+            "teapot --size 64x48 --edges all --edge-color '#ff0800'");
   const std::string dithered = write("it's.json", R"({"objects": [{"solid": "cube"}],
     "shading": {"dither": true, "light_at": [1, 2, 3]}})");
   std::string quotedName;

@@ -321,6 +321,33 @@ TEST(SortPage, TheListHoldsThePair) {
     }
 }
 
+// A polygon that has its mark shows it in the list, also beside the badge of P or Q. One without has none.
+TEST(SortPage, MarksShowBesideBadges) {
+  Page page{readScene("cycle")};
+  int ofP = 0, ofQ = 0, unmarkedQ = 0, others = 0;
+  for (int step = 1; step <= page.run->steps(); ++step) {
+    page.show(step);
+    const std::vector<int> marked = page.run->replay().marked();
+    const Event& e = page.event(step);
+    for (std::size_t k = 0; k < page.drawn.rows.size(); ++k) {
+      const int id = page.drawn.rows[k];
+      const bool isP = id == e.P, isQ = id == e.Q, has = std::ranges::find(marked, id) != marked.end();
+      if (id < 0 || (isP && e.kind == Event::Kind::Paint)) continue;
+      // The column where the arrow is as high as it gets.
+      const int x = page.at.list.x + (isP || isQ ? 17 : 7), high = isP || isQ ? 5 : 7,
+                top = page.at.list.y + static_cast<int>(k + 1) * page.at.line - 12;
+      int ink = 0;
+      for (int y = top; y < top + high; ++y) ink += page.image.row(y)[x] == page(Cell::Ink);
+      ASSERT_EQ(ink, has ? high : 0) << "step " << step << ", row " << k;
+      ++(isP ? ofP : isQ && has ? ofQ : isQ ? unmarkedQ : others);
+    }
+  }
+  EXPECT_GT(ofP, 3);
+  EXPECT_GT(ofQ, 0);
+  EXPECT_GT(unmarkedQ, 3);
+  EXPECT_GT(others, 3);
+}
+
 // The finding of every kind of step is a sentence, and its bold line is a sentence too.
 TEST(SortPage, EveryStepHasAFinding) {
   std::set<Event::Kind> kinds;

@@ -1,5 +1,6 @@
 #include "tests/x11/support/corpus_models.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -79,6 +80,27 @@ PlyText plyOfBox() {
   return ply;
 }
 
+/// The sides as strips of two triangles, and the normals of points that the program takes for shading.
+std::string plyOfStrips(Shape& s) {
+  std::string text = "ply\nformat ascii 1.0\nelement vertex 8\n", strips;
+  for (const char* const name : {"x", "y", "z", "nx", "ny", "nz"})
+    text += "property float " + std::string{name} + "\n";
+  text += "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+  for (const auto& p : s.points) {
+    for (const double v : p) text += decimal(v) + ' ';
+    for (const double v : p) text += decimal(2 * v - 1) + ' ';
+    text += '\n';
+  }
+  std::vector<std::vector<int>> triangles;
+  for (const std::vector<int>& f : s.faces) {
+    for (const int k : {f[0], f[1], f[3], f[2]}) strips += ' ' + std::to_string(k);
+    strips += " -1";
+    triangles.push_back({f[0], f[1], f[3]}), triangles.push_back({f[3], f[1], f[2]});
+  }
+  s.faces = triangles;
+  return text + "30" + strips + '\n';
+}
+
 std::string offOfBox() {
   const Shape s = boxShape();
   std::string text = "COFF # with colours\n8 6 12\n\n";
@@ -141,7 +163,13 @@ std::vector<CorpusModel> corpusModels() {
   for (std::size_t at = crLf.find("f "); at != crLf.npos; at = crLf.find("\r\nf ", at + 9))
     crLf.insert(crLf.find(' ', at + 4), " \\\r\n ");
 
-  Shape turned = box, open = box;
+  std::string cr = vertices(box) + faces(box), normals = vertices(box) + "vn 0 0 1\nvn 1 0 0\n" + faces(box);
+  std::ranges::replace(cr, '\n', '\r');
+  for (std::size_t at = normals.find("f "); at != normals.npos; at = normals.find("\nf ", at + 1))
+    normals.insert(normals.find(' ', at + 3), "//2");
+
+  Shape turned = box, open = box, strips = box;
+  const std::string plyStrips = plyOfStrips(strips);
   turned.faces[3] = {3, 7, 6, 2};
   open.faces.pop_back();
 
@@ -152,6 +180,9 @@ std::vector<CorpusModel> corpusModels() {
       {"negative.obj", negativeObj(box), box},
       {"ngons.obj", vertices(manyCorners) + faces(manyCorners), manyCorners},
       {"crlf.obj", crLf, box},
+      {"cr.obj", cr, box},
+      {"normals.obj", normals, box},
+      {"strips.ply", plyStrips, strips},
       {"huge.obj", vertices(box, 1e300) + faces(box), box},
       {"tiny.obj", vertices(box, 1e-300) + faces(box), box},
       {"bridged.obj", vertices(frame) + faces(frame), frame},

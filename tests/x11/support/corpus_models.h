@@ -18,7 +18,6 @@ struct CorpusModel {
   int open = 0, turned = 0, crowded = 0;  ///< edges, as EdgeCounts has them
   std::vector<std::string> notes = {};    ///< after the file's name; FOLDER stands for that of the file
 };
-/// Fourteen of them.
 [[nodiscard]] std::vector<CorpusModel> corpusModels();
 
 /// An .obj file of n by n squares over a gentle hill.

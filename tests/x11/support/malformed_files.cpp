@@ -52,6 +52,9 @@ std::vector<Malformed> malformedFiles() {
       {"a.obj", "v 1e999 0 0\n", ":1: number '1e999' is too large"},
       {"a.obj", "v 1 \\\n2,5 3\n", ":2: malformed number '2,5'"},
 
+      {"a.obj", "\xFF\xFEv" + zeros(1) + " " + zeros(1), ": a text in UTF-16; save it as UTF-8"},
+      {"a.ply", "\xFE\xFF" + zeros(1) + "p", ": a text in UTF-16; save it as UTF-8"},
+
       {"a.mtl", mtlOf("Kd 1 x 0\n"), ":2: malformed number 'x'"},
       {"a.mtl", mtlOf("Kd\n"), ":2: Kd needs a colour"},
       {"a.mtl", mtlOf("Kd nan 0 0\n"), ":2: number 'nan' is not finite"},
@@ -145,6 +148,9 @@ std::vector<Malformed> malformedFiles() {
 
       {"s.json", "", ":1: not valid JSON here"},
       {"s.json", "{\"objects\": [\n1,,\n]}", ":2: not valid JSON here"},
+      {"s.json", "{\"objects\": [\n  {\"solid\": \"cube\"\n\n]\n}\n", ":2: this { is not closed"},
+      {"s.json", "{\"objects\": [\n  {\"solid\": \"cube\"}\n],\n\"camera\": {\"fov\": 30}\n\n\n",
+       ":1: this { is not closed"},
       {"s.json", "{}", ": the scene has no faces"},
       {"s.json", std::string(100'000, '['), ":1: lists and objects are nested more than 100 deep"},
       {"s.json", std::string(100, '[') + std::string(100, ']'), ": an object { } is needed"},

@@ -8,6 +8,7 @@
 #include "depthsort/oracle.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/seeds.h"
+#include "x11/views/wireframe.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -110,6 +111,37 @@ TEST(Shows, MarksOfTheScene) {
   const auto [behind, none] = drawn("-0.5");
   EXPECT_NEAR(behind, 50, 8);
   EXPECT_EQ(none, 0);
+}
+
+// Edges of the model are drawn over its picture in the colour that is asked for: those in front, and the
+// others in dashes if all are shown.
+TEST(Shows, EdgesOfTheModel) {
+  const auto changed = [](ModelEdges edges) {
+    Scene scene = parsed(R"({"camera": {"eye": [0, 0, 5], "look_at": [0, 0, 0], "parallel": 4}, "objects": [
+      {"polygons": [[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]],
+                    [[-0.5, -0.5, -1], [0.5, -0.5, -1], [0.5, 0.5, -1], [-0.5, 0.5, -1]]]}]})");
+    scene.marks.edges = edges, scene.marks.edgeColor = {1, 1, 1};
+    PictureSettings s = scene.settings;
+    s.width = 200, s.height = 200;
+    s.camera = completed({}, scene.camera);
+    const Picture picture = makePicture(std::move(scene), s, CellPlan{}[Cell::Well]);
+    const IndexImage marked = withMarks(picture, picture.palette(CellPlan{}));
+    std::pair<int, int> counts{0, 0};  // within the square of the outer edges, and on them
+    for (int j = 0; j < 200; ++j)
+      for (int i = 0; i < 200; ++i)
+        if (marked.row(j)[i] != picture.image().row(j)[i]) {
+          EXPECT_EQ(marked.row(j)[i], CellPlan{}[Cell::White]);
+          ++(std::max(std::abs(i - 100), std::abs(j - 100)) < 40 ? counts.first : counts.second);
+        }
+    return counts;
+  };
+  EXPECT_EQ(changed(ModelEdges::None), (std::pair{0, 0}));
+  const auto [within, around] = changed(ModelEdges::Visible);
+  EXPECT_EQ(within, 0);
+  EXPECT_NEAR(around, 400, 8);
+  const auto [dashes, outer] = changed(ModelEdges::All);
+  EXPECT_NEAR(dashes, 200 * kDash / kDashPeriod, 12);
+  EXPECT_EQ(outer, around);
 }
 
 }  // namespace xnewell::THIS_FILE
