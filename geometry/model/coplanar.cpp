@@ -342,7 +342,8 @@ void countRounding(Mesh& mesh) {
       std::to_chars(text.begin(), text.end(), std::ranges::max(shown), std::chars_format::general, 3);
   mesh.notes.push_back(
       "some faces are nearer to each other than the file's decimals tell: those that lie within " +
-      std::string{text.data(), end} + " of one plane count as lying in it, and the later one shows");
+      std::string{text.data(), end} +
+      " of one plane count as lying in it, and a painting order shows the later one");
 }
 
 void uniteCoplanar(const Mesh& mesh, ConvexParts& parts) {

@@ -118,7 +118,6 @@ struct Approach {
   CellWay cell = CellWay::Nearest;
   StoreWay store = StoreWay::AsAsked;
   std::optional<TableKind> table = {};  ///< another kind, for cells and for what they hold
-  bool directColors = false;            ///< several hues: each channel is 255 I
   PaintWay paint = PaintWay::Nearest;
   TurnWay turn = TurnWay::Upright;
 

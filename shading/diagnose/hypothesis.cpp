@@ -71,8 +71,6 @@ void addAllowed(std::vector<Hypothesis>& all) {
               allowed(
                   "8-bits", "table", "Stored values are rounded to 8 bits, not to 16.",
                   [](W& w) { w.store = StoreWay::Rounded8; }, isCorrected),
-              allowed("direct-colours", "color(I)", "Each channel is 255 I, without a table of few colours.",
-                      [](W& w) { w.directColors = true; }),
               allowed("stores-255-I", "color(I)", kStores255, [](W& w) { w.store = StoreWay::By255; }),
               allowed("stores-255-I", "color(I)", kStores255,
                       [](W& w) { w.store = StoreWay::By255, w.cell = CellWay::Truncated; }),

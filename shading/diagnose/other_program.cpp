@@ -339,11 +339,11 @@ ShownHere OtherProgram::at(int face, int i, int j) {
   if (model_.colors) {
     std::array<double, 3> I{};
     for (int c = 0; c < 3; ++c) I[c] = clamped01(place.rest[c] + place.diffuse[c] * share[c]);
-    if (model_.ramps && !way_.directColors) {
+    if (model_.ramps && way_.store < StoreWay::By255)
       onRamp(shown, I, model_.picture().colors().tableOf(material));
-    } else {
-      for (int c = 0; c < 3; ++c) shown.value[c] = 255.0 * I[c];
-    }
+    else
+      for (int c = 0; c < 3; ++c)
+        shown.value[c] = way_.store < StoreWay::By255 ? 255.0 * I[c] : withoutTable(I[c]);
     return shown;
   }
   shown.cell = cellOf(shown.I);

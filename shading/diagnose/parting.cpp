@@ -62,7 +62,7 @@ std::optional<Parting> Diagnoser::partingOf(std::string_view a, std::string_view
   using Shown = std::vector<std::optional<Predicted>>;
   std::vector<Shown> first, second;
   for (const Hypothesis& h : hypotheses()) {
-    if (!applies(h) || (h.key == "direct-colours" && !model_.colors)) continue;
+    if (!applies(h)) continue;
     if (h.key == a) first.push_back(insideFaces(h));
     if (h.key == b) second.push_back(insideFaces(h));
   }
