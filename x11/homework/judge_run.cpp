@@ -261,6 +261,8 @@ class RunJudge {
     if (test == Test::XExtents) return apart(P, Q, &ScreenBox::x0, &ScreenBox::x1);
     if (test == Test::YExtents) return apart(P, Q, &ScreenBox::y0, &ScreenBox::y1);
     if (test == Test::Overlap) {
+      std::optional<Truth>& known = record(P, Q).overlap;
+      if (known) return *known;
       Truth found;
       if (mayGoFirst(P, Q)) {
         found.noIsWrong = !mayGoFirst(Q, P) && samplesNearer(Q, P) > 0;
@@ -268,7 +270,7 @@ class RunJudge {
         found.off = samplesNearer(P, Q);
         found.yesIsWrong = found.off > 0;
       }
-      return found;
+      return *(known = found);
     }
     Truth all{.noIsWrong = true};
     forEachPair(P, Q, [&](int p, int q) {
@@ -303,8 +305,9 @@ class RunJudge {
 
   struct PairRecord {
     unsigned made = 0;  ///< bits of tests
-    int since = -1;     ///< the progress when these were counted
+    int since = -1;     ///< the changes when these were counted
     std::array<std::uint8_t, kTests> times{};
+    std::optional<Truth> overlap;  ///< of test 6, which takes long
   };
   [[nodiscard]] PairRecord& record(int P, int Q) {
     return pairs_[(static_cast<std::uint64_t>(P) << 32) | static_cast<unsigned>(Q)];
@@ -327,7 +330,7 @@ class RunJudge {
   }
   /// What was moved may be moved again: the run comes nearer to its end.
   void goOn() {
-    ++progress_;
+    ++changes_;
     moved_.clear();
     lastTaken_ = -1;
   }
@@ -348,13 +351,12 @@ class RunJudge {
     PairRecord& pair = record(P, Q);
     pair.made |= 1U << static_cast<int>(test);
     ++tests_made_;
-    if (pair.since != progress_) pair.since = progress_, pair.times = {};
+    if (pair.since != changes_) pair.since = changes_, pair.times = {};
     if (++pair.times[static_cast<int>(test)] == kTimesRepeated) loop(P, Q, {});
     tested_ = {P, Q};
     const bool yes = outcome == "yes" || outcome == nameOf(Verdict::PFirst);
     Truth truth = truthOf(test, P, Q);
-    if (test == Test::Overlap && outcome == nameOf(Verdict::QFirst))
-      truth.noIsWrong = !mayGoFirst(Q, P) && samplesNearer(Q, P) > 0;
+    if (outcome == nameOf(Verdict::QFirst)) truth.noIsWrong = truthOf(Test::Overlap, Q, P).yesIsWrong;
     if (!(yes ? truth.yesIsWrong : truth.noIsWrong)) return;
     tell({.kind = Falsehood::Answer,
           .P = P,
@@ -403,6 +405,7 @@ class RunJudge {
     if (std::ranges::find(chain_, P) == chain_.end()) chain_ = {P};
     chain_.push_back(Q);
     moved_.insert(Q);
+    ++changes_;
     lastTaken_ = -1;
     tested_ = {-1, -1};
   }
@@ -457,7 +460,10 @@ class RunJudge {
   }
 
   void split(int P, int Q, const RunStep& s) {
-    if (!isThere(P)) return;
+    if (!isThere(P)) {
+      addPiece(P, s.behind, {});
+      return addPiece(P, s.inFront, {});
+    }
     // The pair that led to it; in a cycle others may be split.
     const auto [p, q] = tested_;
     if (p >= 0 && std::pair{std::min(P, Q), std::max(P, Q)} == std::pair{std::min(p, q), std::max(p, q)})
@@ -677,7 +683,10 @@ class RunJudge {
       step.numbers = {{"pixels", f.off}};
     const std::string off = significant(f.off, 4) + " pixels";
     const std::string named = P + " (P) and " + Q + " (Q)";
-    const auto asks = [&] { return std::string{kTestRows[static_cast<int>(*f.test)].asks}; };
+    const auto asks = [&] {
+      return *f.test == Test::Overlap ? "is P nowhere nearer where they overlap?"
+                                      : std::string{kTestRows[static_cast<int>(*f.test)].asks};
+    };
     switch (f.kind) {
       case Falsehood::Answer: {
         const bool yes = f.outcome == "yes" || f.outcome == nameOf(Verdict::PFirst);
@@ -766,7 +775,7 @@ class RunJudge {
   std::vector<int> chain_;  ///< what was taken, and what was moved since
   std::set<int> moved_;
   std::pair<int, int> tested_{-1, -1};
-  int lastTaken_ = -1, progress_ = 0, line_ = 0, tests_made_ = 0;
+  int lastTaken_ = -1, changes_ = 0, line_ = 0, tests_made_ = 0;
   RunReport report_;
 };
 
@@ -774,7 +783,9 @@ class RunJudge {
 
 RunReport judgeRun(const Picture& picture, const RunFile& run) {
   RunJudge judge{picture};
-  run.forEach([&](const RunStep& step) { judge.step(step); });
+  int steps = 0;
+  run.forEach([&](const RunStep& step) { judge.step(step), ++steps; });
+  if (steps == 0) throw ParseError{run.name(), 0, "no line is a step of a run"};
   return judge.report();
 }
 
