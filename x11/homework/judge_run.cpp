@@ -12,6 +12,7 @@
 #include "depthsort/pieces.h"
 #include "depthsort/samples.h"
 #include "geometry/view/touch.h"
+#include "shading/diagnose/judge_order.h"
 #include "x11/drawing/wording.h"
 #include "x11/homework/hidden_samples.h"
 
@@ -64,27 +65,13 @@ struct Found {
   std::string more = {};
 };
 
-/// The distance of a place from a convex outline that runs counter-clockwise on the screen; 0 inside.
-double distanceFrom(const std::vector<glm::dvec2>& outline, const glm::dvec2& at) {
-  double least = 1e300;
-  bool inside = true;
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    const glm::dvec2 a = outline[k], d = outline[(k + 1) % outline.size()] - a, to = at - a;
-    inside &= d.x * to.y - d.y * to.x <= 0;
-    const double length = glm::dot(d, d), t = length > 0 ? std::clamp(glm::dot(to, d) / length, 0.0, 1.0) : 0;
-    least = std::min(least, glm::length(to - t * d));
-  }
-  return inside ? 0 : least;
-}
-
-/// Positive if it runs counter-clockwise on the screen.
 double areaOf(const std::vector<glm::dvec2>& outline) {
   double twice = 0;
   for (std::size_t k = 0; k < outline.size(); ++k) {
     const glm::dvec2 a = outline[k] - outline[0], b = outline[(k + 1) % outline.size()] - outline[0];
     twice += a.y * b.x - a.x * b.y;
   }
-  return twice / 2;
+  return std::abs(twice) / 2;
 }
 
 std::vector<glm::dvec2> cornersOf(const Region& region) {
@@ -182,8 +169,9 @@ class RunJudge {
   }
   [[nodiscard]] Shape shape(int id) const {
     const Fragmented& f = fragments_[id];
-    return {face(id), f.face, f.extents.box, f.piece < 0 ? nullptr : &f.region};
+    return {face(id), f.face, f.extents.box, isPiece(id) ? &f.region : nullptr};
   }
+  [[nodiscard]] bool isPiece(int id) const { return fragments_[id].piece >= 0; }
   [[nodiscard]] Fragment fragment(int id) const { return {fragments_[id].face, fragments_[id].piece}; }
 
   template <class Use>
@@ -414,19 +402,14 @@ class RunJudge {
     if (!isThere(P)) return;
     Polygon& polygon = polygons_[P];
     polygon.state = Polygon::State::Painted, polygon.line = line_;
-    if (cell >= 0 && polygon.shade && (*polygon.shade)[4] != cell)
-      tell({.kind = Falsehood::Shade,
-            .P = P,
-            .more = "is painted with cell " + std::to_string(cell) + "; its shading has cell " +
-                    significant((*polygon.shade)[4], 6)});
-    if (cell >= 0 && polygon.parts.size() == 1 && fragments_[polygon.parts[0]].piece >= 0) {
-      const auto [at, isNew] = cellOf_.emplace(polygon.face, std::pair{P, cell});
-      if (!isNew && !polygon.shade && at->second.second != cell)
+    if (cell >= 0 && (polygon.shade || (polygon.parts.size() == 1 && isPiece(polygon.parts[0])))) {
+      const int is = polygon.shade ? static_cast<int>((*polygon.shade)[4])
+                                   : cellOf_.emplace(polygon.face, cell).first->second;
+      if (cell != is)
         tell({.kind = Falsehood::Shade,
               .P = P,
-              .more = "is painted with cell " + std::to_string(cell) + ", and " +
-                      polygons_[at->second.first].name + " with cell " + std::to_string(at->second.second) +
-                      ": a split copies the shading"});
+              .more = "is painted with cell " + std::to_string(cell) + ", and its face has cell " +
+                      std::to_string(is) + ": a split copies the shading"});
     }
     for (const int p : polygon.parts)
       forEachSpan(scene_, sorted_, fragment(p), width_, height_, [&](int row, int from, int to) {
@@ -548,7 +531,7 @@ class RunJudge {
     double most = 0;
     const auto compare = [&](const std::vector<glm::dvec2>& from, const std::vector<glm::dvec2>& to) {
       for (const glm::dvec2& at : from) {
-        const double off = distanceFrom(to, at);
+        const double off = isInside(to, at) ? 0 : std::sqrt(distanceToBorder(to, at));
         if (off <= most) continue;
         const auto x = std::llrint(std::clamp(at.x, -8e3, 1.6e4) * kGrid),
                    y = std::llrint(std::clamp(at.y, -8e3, 1.6e4) * kGrid);
@@ -564,12 +547,8 @@ class RunJudge {
   void checkOutlines(int P, int Q, int behind, int inFront, const RunStep& s) {
     if (s.behind.outline.empty() || s.inFront.outline.empty()) return;
     constexpr double kOff = 1.5 * kRounded;
-    std::array<std::vector<glm::dvec2>, 2> told{s.behind.outline, s.inFront.outline};
-    double sum = 0;
-    for (std::vector<glm::dvec2>& outline : told) {
-      if (areaOf(outline) < 0) std::ranges::reverse(outline);
-      sum += areaOf(outline);
-    }
+    const std::array told{s.behind.outline, s.inFront.outline};
+    const double sum = areaOf(told[0]) + areaOf(told[1]);
     const int by = polygons_[Q].parts.front();
     Place where, elsewhere;
     const double off = difference(told[0], behind, by, where),
@@ -634,7 +613,7 @@ class RunJudge {
   void chooseIndependent(const Explainer& explainer) {
     std::set<std::pair<int, int>> blamed;
     std::set<int> spoilt;
-    std::map<std::pair<Falsehood, int>, std::pair<std::size_t, int>> like;
+    std::map<std::pair<Falsehood, int>, std::size_t> like;
     bool looped = false;
     for (const Found& f : found_) {
       const int p = polygons_[f.P].face, q = f.Q < 0 ? -1 : polygons_[f.Q].face;
@@ -650,11 +629,11 @@ class RunJudge {
       looped |= f.kind == Falsehood::Loop;
       if (f.kind >= Falsehood::NoCut && f.kind <= Falsehood::Cover) spoilt.insert(p);
       const auto [at, isNew] =
-          like.try_emplace({f.kind, f.test ? static_cast<int>(*f.test) : -1}, report_.wrong.size(), 0);
+          like.try_emplace({f.kind, f.test ? static_cast<int>(*f.test) : -1}, report_.wrong.size());
       if (isNew)
         report_.wrong.push_back(inWords(f, explainer));
       else
-        ++report_.wrong[at->second.first].alike;
+        ++report_.wrong[at->second].alike;
     }
   }
 
@@ -769,7 +748,7 @@ class RunJudge {
   std::vector<Polygon> polygons_;
   std::unordered_map<std::int64_t, int> byNumber_, byPlace_;
   std::unordered_map<std::uint64_t, PairRecord> pairs_;
-  std::map<int, std::pair<int, int>> cellOf_;  ///< of faces: the first piece that was painted, and its cell
+  std::map<int, int> cellOf_;  ///< of faces: the cell of the first piece that was painted
   std::map<std::pair<int, int>, Found> early_;
   std::vector<Found> found_;
   std::vector<int> chain_;  ///< what was taken, and what was moved since
