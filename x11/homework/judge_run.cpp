@@ -768,10 +768,17 @@ RunReport judgeRun(const Picture& picture, const RunFile& run) {
   return judge.report();
 }
 
+std::string verdictOf(const RunReport& report) {
+  if (report.wrong.empty()) return "right: " + counted(report.steps, "step") + ", and none is false";
+  const FalseStep& first = report.wrong.front();
+  return "wrong: " + (first.line > 0 ? "line " + std::to_string(first.line) : "at the end") + ": " +
+         first.says;
+}
+
 page::Page pageOf(const RunReport& report) {
   const bool isRight = report.wrong.empty();
   page::Page page;
-  page.of = isRight ? "right: " + counted(report.steps, "step") + ", and none is false"
+  page.of = isRight ? verdictOf(report)
                     : "wrong: " + counted(report.steps, "step") + ", and this is the first false one";
   page::Section& section = page.sections.emplace_back();
   page::List wrong;
@@ -782,7 +789,7 @@ page::Page pageOf(const RunReport& report) {
         page::Finding{.bold = step.line > 0 ? "line " + std::to_string(step.line) + ":" : "at the end:",
                       .why = step.says + more,
                       .alarm = true});
-    wrong.emplace_back(page::Object{{"kind", kFalsehoods[static_cast<std::size_t>(step.kind)]},
+    wrong.emplace_back(page::Object{{"kind", nameOf(step.kind)},
                                     {"line", step.line},
                                     {"P", step.P},
                                     {"Q", step.Q.empty() ? page::Data{nullptr} : page::Data{step.Q}},

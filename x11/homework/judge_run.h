@@ -37,6 +37,10 @@ inline constexpr std::array<std::string_view, 12> kFalsehoods{"answer", "left-ou
                                                               "loop",   "no-cut",   "sides",     "plane",
                                                               "cover",  "shade",    "gone",      "lost"};
 
+[[nodiscard]] constexpr std::string_view nameOf(Falsehood kind) {
+  return kFalsehoods[static_cast<std::size_t>(kind)];
+}
+
 struct FalseStep {
   Falsehood kind;
   int line = 0;      ///< of the file; 0: at its end
@@ -55,6 +59,8 @@ struct RunReport {
 /// `picture` has planes. @throws ParseError for what is no run of this scene
 [[nodiscard]] RunReport judgeRun(const Picture& picture, const RunFile& run);
 
+/// One line, without a line break.
+[[nodiscard]] std::string verdictOf(const RunReport& report);
 [[nodiscard]] page::Page pageOf(const RunReport& report);
 
 }  // namespace xnewell

@@ -126,6 +126,11 @@ Json asJson(const RunStep& step) {
   return json;
 }
 
+bool isRunFile(const std::string& file) {
+  const std::string text = readTextFile(file, kMostBytes);
+  return text.find("\"event\"") < text.find('\n');
+}
+
 RunFile::RunFile(const std::string& file) : name_{file}, text_{readTextFile(file, kMostBytes)} {
   forEachJsonLine(std::string_view{text_}.substr(0, text_.find('\n')), name_, kExample,
                   [&](const Json& json, int) {

@@ -46,6 +46,9 @@ inline constexpr std::array<std::string_view, 5> kOutcomes{"P first", "Q first",
 
 [[nodiscard]] nlohmann::ordered_json asJson(const RunStep& step);
 
+/// True if a file of JSON lines begins as a run does, and not as a painting order.
+[[nodiscard]] bool isRunFile(const std::string& file);
+
 class RunFile {
  public:
   /// @throws std::system_error; ParseError for a file of more than 256 MB

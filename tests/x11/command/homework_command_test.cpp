@@ -55,6 +55,11 @@ TEST_F(CommandTest, JudgeFindsTheFirstFalseStepOfARun) {
   EXPECT_EQ(json.at("wrong")[0].at("kind"), "answer");
   EXPECT_EQ(json.at("wrong").size(), 1u);  // what is painted too early follows from it
   EXPECT_EQ(json.at("follow"), 1);
+  std::filesystem::create_directory(file("class"));
+  std::filesystem::copy(run, file("class/one.jsonl"));
+  EXPECT_EQ(runProgram({"grade", "two-cards", file("class"), "-o", file("marks.csv")}).status, 0);
+  EXPECT_NE(contents(file("marks.csv")).find("one.jsonl,wrong,"), std::string::npos)
+      << contents(file("marks.csv"));
   write(first + "{\"event\": \"move\", \"P\": 0, \"Q\": 1}\n" +
         "{\"event\": \"paint\", \"P\": 1}\n{\"event\": \"paint\", \"P\": 0}\n");
   EXPECT_EQ(runProgram({"judge", "two-cards", "--run", run}).out, "right: 4 steps, and none is false\n");
