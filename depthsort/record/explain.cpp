@@ -108,7 +108,36 @@ CornerCounts countsOf(const Regions& regions, const Line& line, const Region& re
   return counts;
 }
 
+/// z at a corner, which need not lie on the grid: the rest is small, so doubles hold it.
+double depthAtCorner(const ScreenPlane& p, const Corner& at) {
+  const auto x = std::llrint(at.x), y = std::llrint(at.y);
+  const double rest = static_cast<double>(p.A) * (at.x - static_cast<double>(x)) +
+                      static_cast<double>(p.B) * (at.y - static_cast<double>(y));
+  return depthAt(p, x, y) + rest / static_cast<double>(p.C);
+}
+
 }  // namespace
+
+std::vector<CornerDistance> distancesFromPlane(const SnappedScene& scene, const Region& region,
+                                               const SnappedFace& of, const SnappedFace& planeOf) {
+  const Regions regions{scene};
+  const bool same = regions.samePlane(of.plane, planeOf.plane);
+  const Line nearer = same ? Line{} : regions.cut(of.plane, planeOf.plane);
+  const ScreenPlane &own = scene.planes[of.plane], &other = scene.planes[planeOf.plane];
+  std::vector<CornerDistance> distances;
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    const Side &side = region[k], &next = region[k + 1 == region.size() ? 0 : k + 1];
+    const int sign = same ? 0 : regions.sign(nearer, side.line, next.line, side.corner);
+    const SnappedFace &front = sign > 0 ? of : planeOf, &behind = sign > 0 ? planeOf : of;
+    const double ahead = depthAtCorner(own, side.corner) - depthAtCorner(other, side.corner);
+    distances.push_back({{onScreen(side.corner.x), onScreen(side.corner.y)},
+                         std::ldexp(onScreen(ahead), scene.zShift),
+                         sign,
+                         sign == 0 || mayTouch(scene, front, behind, std::llrint(side.corner.x),
+                                               std::llrint(side.corner.y))});
+  }
+  return distances;
+}
 
 std::string_view wordFor(Event::Kind kind) {
   switch (kind) {
@@ -185,32 +214,9 @@ std::optional<SeparatingEdge> Explainer::separatingEdge(int P, int Q) const {
   return std::nullopt;
 }
 
-/// z at a corner, which need not lie on the grid: the rest is small, so doubles hold it.
-double Explainer::depthAtCorner(int plane, const Corner& at) const {
-  const ScreenPlane& p = scene_->planes[plane];
-  const auto x = std::llrint(at.x), y = std::llrint(at.y);
-  const double rest = static_cast<double>(p.A) * (at.x - static_cast<double>(x)) +
-                      static_cast<double>(p.B) * (at.y - static_cast<double>(y));
-  return depthAt(p, x, y) + rest / static_cast<double>(p.C);
-}
-
 std::vector<CornerDistance> Explainer::distances(int of, int fromPlaneOf) const {
-  const int plane = fragments_.face(of).plane, other = fragments_.face(fromPlaneOf).plane;
-  const bool same = regions_.samePlane(plane, other);
-  const Line nearer = same ? Line{} : regions_.cut(plane, other);
-  const Region region = fragments_.region(of);
-  std::vector<CornerDistance> distances;
-  for (std::size_t k = 0; k < region.size(); ++k) {
-    const Side &side = region[k], &next = region[k + 1 == region.size() ? 0 : k + 1];
-    const int sign = same ? 0 : regions_.sign(nearer, side.line, next.line, side.corner);
-    const int front = sign > 0 ? of : fromPlaneOf, behind = sign > 0 ? fromPlaneOf : of;
-    distances.push_back({{onScreen(side.corner.x), onScreen(side.corner.y)},
-                         pixels(depthAtCorner(plane, side.corner) - depthAtCorner(other, side.corner)),
-                         sign,
-                         sign == 0 || mayTouch(*scene_, fragments_.face(front), fragments_.face(behind),
-                                               std::llrint(side.corner.x), std::llrint(side.corner.y))});
-  }
-  return distances;
+  return distancesFromPlane(*scene_, fragments_.region(of), fragments_.face(of),
+                            fragments_.face(fromPlaneOf));
 }
 
 double Explainer::depth(int id, Place at) const {

@@ -32,6 +32,10 @@ struct CornerDistance {
   int sign;        ///< exact, even if inFront rounds to 0
   bool mayBeOn;    ///< rounding explains the distance (touch.h)
 };
+/// The distances of all corners, in the outline's order. `region` is all of `of` or a part of it.
+[[nodiscard]] std::vector<CornerDistance> distancesFromPlane(const SnappedScene& scene, const Region& region,
+                                                             const SnappedFace& of,
+                                                             const SnappedFace& planeOf);
 /// How many corners of a fragment lie in front of a plane (on the viewer's side), on it and behind it.
 struct CornerCounts {
   int inFront = 0, on = 0, behind = 0;
@@ -112,7 +116,6 @@ class Explainer {
   [[nodiscard]] std::string settled(const Event& compare) const;
   [[nodiscard]] std::string failed(const Event& compare, Test test) const;
   [[nodiscard]] double pixels(double zSteps) const;
-  [[nodiscard]] double depthAtCorner(int plane, const Corner& at) const;
   [[nodiscard]] Region common(int P, int Q) const;
 
   const SnappedScene* scene_;

@@ -15,11 +15,6 @@
 
 namespace xnewell {
 
-namespace {
-
-constexpr std::int64_t kMostCompared = 300'000;  ///< pairs, while a cycle is looked for
-
-/// True if the sample lies inside a polygon, by the number of its sides to the right.
 bool isInside(const std::vector<glm::dvec2>& polygon, const glm::dvec2& at) {
   bool inside = false;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -30,7 +25,6 @@ bool isInside(const std::vector<glm::dvec2>& polygon, const glm::dvec2& at) {
   return inside;
 }
 
-/// The square of the distance to the border of a polygon.
 double distanceToBorder(const std::vector<glm::dvec2>& polygon, const glm::dvec2& at) {
   double least = 1e300;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -43,6 +37,10 @@ double distanceToBorder(const std::vector<glm::dvec2>& polygon, const glm::dvec2
   }
   return least;
 }
+
+namespace {
+
+constexpr std::int64_t kMostCompared = 300'000;  ///< pairs, while a cycle is looked for
 
 /// True if the outline is convex, has an area, and runs counter-clockwise on the screen.
 bool isConvex(const std::vector<glm::ivec3>& outline) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -14,6 +15,11 @@ namespace xnewell {
 /// Is a painting order right? The faces and pieces are painted one over the other, and each sample is
 /// compared with the nearest face there. A step that shows where another face is nearer makes a wrong pair
 /// with the step that should show. The first wrong pair is that of the earliest step.
+
+/// True if the place lies inside a polygon, by the number of its sides to the right.
+[[nodiscard]] bool isInside(const std::vector<glm::dvec2>& polygon, const glm::dvec2& at);
+/// The square of the distance to the border of a polygon.
+[[nodiscard]] double distanceToBorder(const std::vector<glm::dvec2>& polygon, const glm::dvec2& at);
 
 /// A face whose pieces cover a sample not once, away from the borders of its pieces.
 struct BadCover {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "geometry/files/text_file.h"
 #include "shading/scene/json_text.h"
@@ -26,30 +25,28 @@ glm::dvec2 placeOf(const Json& corner) {
   return place;
 }
 
-glm::ivec2 sizeOf(const Json& json) {
+}  // namespace
+
+glm::ivec2 pictureSizeOf(const Node::Json& size) {
   const auto isSide = [](const Json& side) {
     return side.is_number_integer() && side >= kLeastOrderSize && side <= kMostOrderSize;
   };
-  const Json& size = json["size"];
-  if (json.size() != 1 || !size.is_array() || size.size() != 2 || !isSide(size[0]) || !isSide(size[1]))
+  if (!size.is_array() || size.size() != 2 || !isSide(size[0]) || !isSide(size[1]))
     throw std::runtime_error{"the size is {\"size\": [width, height]}, each from " +
                              std::to_string(kLeastOrderSize) + " to " + std::to_string(kMostOrderSize) +
                              " pixels"};
   return {size[0].get<int>(), size[1].get<int>()};
 }
 
-Json jsonOf(const std::string& text, const std::string& file, int line) {
-  Json json;
-  try {
-    json = parsedJson(text, file, line);
-  } catch (const NotJson&) {
-    for (const char* word : {"nan", "NaN", "inf", "Inf"})
-      if (text.find(word) != std::string::npos)
-        throw ParseError{file, line, std::string{"JSON has no "} + word + ": places are numbers"};
-  }
-  if (!json.is_object()) throw ParseError{file, line, "not a JSON object such as {\"face\": 17}"};
-  return json;
+std::vector<glm::dvec2> outlineOf(const Node::Json& piece, std::string_view key) {
+  if (!piece.is_array() || piece.size() < 3 || piece.size() > kMostCorners)
+    throw std::runtime_error{'"' + std::string{key} + "\" is a list of 3 to 1000 corners [x, y]"};
+  std::vector<glm::dvec2> outline;
+  for (const auto& corner : piece) outline.push_back(placeOf(corner));
+  return outline;
 }
+
+namespace {
 
 PaintStep stepOf(const Json& json, int faces) {
   if (json.contains("size")) throw std::runtime_error{"the size stands once, before all faces"};
@@ -65,34 +62,22 @@ PaintStep stepOf(const Json& json, int faces) {
   for (const auto& [key, value] : json.items())
     if (key != "face" && key != "piece") throw std::runtime_error{"unknown key " + inQuotes(key)};
   const auto piece = json.find("piece");
-  if (piece == json.end()) return step;
-  if (!piece->is_array() || piece->size() < 3 || piece->size() > kMostCorners)
-    throw std::runtime_error{"\"piece\" is a list of 3 to 1000 corners [x, y]"};
-  for (const auto& corner : *piece) step.piece.push_back(placeOf(corner));
+  if (piece != json.end()) step.piece = outlineOf(*piece, "piece");
   return step;
 }
 
 }  // namespace
 
 PaintOrder readPaintOrder(const std::string& file, int faces) {
-  std::istringstream in{readTextFile(file, kMostBytes)};
   PaintOrder order;
-  int number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    const Json json = jsonOf(line, file, number);
-    try {
-      if (json.contains("size") && order.steps.empty() && !order.size) {
-        order.size = sizeOf(json);
-        continue;
-      }
+  forEachJsonLine(readTextFile(file, kMostBytes), file, "{\"face\": 17}", [&](const Json& json, int line) {
+    if (json.contains("size") && order.steps.empty() && !order.size) {
+      order.size = pictureSizeOf(json.size() == 1 ? json["size"] : json);
+    } else {
       order.steps.push_back(stepOf(json, faces));
-    } catch (const std::runtime_error& e) {
-      throw ParseError{file, number, e.what()};
+      order.steps.back().line = line;
     }
-    order.steps.back().line = number;
-  }
+  });
   if (order.steps.empty()) throw ParseError{file, 0, "no line paints a face"};
   return order;
 }

@@ -4,7 +4,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "shading/scene/json_node.h"
 
 namespace xnewell {
 
@@ -25,6 +28,10 @@ struct PaintOrder {
 };
 /// What a size may be. A picture of a few pixels would show no mistake.
 inline constexpr int kLeastOrderSize = 64, kMostOrderSize = 4096;
+
+/// Both throw std::runtime_error for what is none: the size of a picture; the corners of a piece, at the key.
+[[nodiscard]] glm::ivec2 pictureSizeOf(const Node::Json& size);
+[[nodiscard]] std::vector<glm::dvec2> outlineOf(const Node::Json& piece, std::string_view key);
 
 /// Empty lines count for nothing. @throws std::system_error; ParseError for what is no such line, for a face
 /// that the scene of `faces` faces does not have, and for a file of more than 64 MB

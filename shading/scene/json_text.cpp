@@ -184,6 +184,34 @@ Node::Json parsedJson(std::string_view text, const std::string& file, int line) 
   return parsed(progress, KeysOnce{progress});
 }
 
+void forEachJsonLine(std::string_view text, const std::string& file, std::string_view example,
+                     const std::function<void(const Node::Json&, int line)>& use) {
+  int number = 0;
+  for (std::size_t from = 0, end = 0; from < text.size(); from = end + 1) {
+    ++number;
+    end = std::min(text.find('\n', from), text.size());
+    const std::string_view line = text.substr(from, end - from);
+    if (line.find_first_not_of(" \t\r") == line.npos) continue;
+    Node::Json json;
+    try {
+      json = parsedJson(line, file, number);
+    } catch (const NotJson&) {
+      for (const char* word : {"nan", "NaN", "inf", "Inf"})
+        if (line.find(word) != line.npos)
+          throw ParseError{file, number, std::string{"JSON has no "} + word + ": places are numbers"};
+    }
+    if (!json.is_object())
+      throw ParseError{file, number, "not a JSON object such as " + std::string{example}};
+    try {
+      use(json, number);
+    } catch (const ParseError&) {
+      throw;
+    } catch (const std::runtime_error& e) {
+      throw ParseError{file, number, e.what()};
+    }
+  }
+}
+
 JsonText::JsonText(std::string_view text, std::string name)
     : name_{std::move(name)}, value_{std::make_unique<const Node::Json>(parsedJson(text, name_))} {}
 

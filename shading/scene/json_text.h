@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <string>
@@ -21,6 +22,12 @@ struct NotJson : ParseError {
 /// Parses a text that begins on this line of the file. @throws NotJson with the line; ParseError if a number
 /// is too large, if an object has a key twice, or if lists and objects are nested too deeply
 [[nodiscard]] Node::Json parsedJson(std::string_view text, const std::string& file, int line = 1);
+
+/// Calls use(json, line) for the object on each line of a text. Empty lines count for nothing. The error says
+/// what such an object is by the `example`. @throws ParseError with the line, also for a std::runtime_error
+/// of `use`
+void forEachJsonLine(std::string_view text, const std::string& file, std::string_view example,
+                     const std::function<void(const Node::Json&, int line)>& use);
 
 /// A file's text as JSON.
 class JsonText {

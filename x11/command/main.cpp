@@ -57,6 +57,8 @@
 #include "x11/visual/x11_error.h"
 #include "x11/window/moot.h"
 
+extern const char* const kRunHeader;
+
 namespace xnewell {
 
 namespace {
@@ -222,6 +224,7 @@ int run(int argc, char** argv) {
   if (!rowOf(options.command).draws) settle(options, {});
   if (options.command == Command::Scenes) return listScenes(), kDone;
   if (options.command == Command::Keys) return std::cout << keyLists(), kDone;
+  if (options.command == Command::RunHeader) return std::cout << kRunHeader, kDone;
   if (options.command == Command::Visuals) return std::cout << visualsTable(options), kDone;
   if (options.command == Command::Lesson) return teach(options);
   if (options.command == Command::Lecture) return lecture(options);
@@ -241,6 +244,7 @@ int run(int argc, char** argv) {
   if (options.command == Command::Trade) return tellTrade(options, std::move(scene));
   if (options.command == Command::Extremes) return tellExtremes(options, scene);
   if (options.command == Command::Diagnose) return tellDiagnosis(options, std::move(scene));
+  if (options.command == Command::Judge && !options.run.empty()) return tellRun(options, std::move(scene));
   if (options.command == Command::Judge) return tellJudgement(options, std::move(scene));
   if (options.command == Command::Grade) return gradeFolder(options, std::move(scene));
   if (options.command == Command::Questions) return tellQuestions(options, scene);

@@ -18,6 +18,7 @@
 #include "x11/homework/class_marks.h"
 #include "x11/homework/diagnosis_report.h"
 #include "x11/homework/diagnosis_sheet.h"
+#include "x11/homework/judge_run.h"
 #include "x11/homework/judgement_report.h"
 #include "x11/homework/questions.h"
 #include "x11/lessons/lesson.h"
@@ -34,6 +35,17 @@ PictureSettings sized(const Options& options, glm::ivec2 usual) {
   const glm::ivec2 size = options.size.value_or(usual);
   settings.width = size.x, settings.height = size.y;
   return settings;
+}
+
+/// The picture that a file with this size, if it says one, is about.
+Picture pictureFor(const Options& options, Scene scene, const std::string& file,
+                   std::optional<glm::ivec2> size) {
+  if (size && options.size && *size != *options.size)
+    throw UsageError{file + " is for a picture of " + sizeText(size->x, size->y) + ", and --size says " +
+                     sizeText(options.size->x, options.size->y) + ": leave --size out"};
+  PictureSettings settings = sized(options, size.value_or(kPictureSize));
+  settings.order = Order::Unsorted, settings.adapt = 0;
+  return makePicture(std::move(scene), settings).withPlanes();
 }
 
 void refuseWhatIsNotDiagnosed(const Scene& scene, const PictureSettings& settings) {
@@ -143,14 +155,8 @@ int tellSceneFor(const Options& options) {
 
 int tellJudgement(const Options& options, Scene scene) {
   const auto [steps, size] = readPaintOrder(options.handedIn, scene.mesh.faceCount());
-  if (size && options.size && *size != *options.size)
-    throw UsageError{options.handedIn + " is for a picture of " + sizeText(size->x, size->y) +
-                     ", and --size says " + sizeText(options.size->x, options.size->y) +
-                     ": leave --size out"};
   std::optional<Doing> judging{"judging"};
-  PictureSettings settings = sized(options, size.value_or(kPictureSize));
-  settings.order = Order::Unsorted, settings.adapt = 0;
-  const Picture picture = makePicture(std::move(scene), settings).withPlanes();
+  const Picture picture = pictureFor(options, std::move(scene), options.handedIn, size);
   const OrderReport report = judgeOrder(picture, steps);
   judging.reset();
   (options.json ? printJudgementAsJson : printJudgement)(report, steps, std::cout);
@@ -158,6 +164,15 @@ int tellJudgement(const Options& options, Scene scene) {
   if (!options.output.empty() && report.first)
     writeFile(options.output, pairAsScene(picture, *report.first, steps));
   return report.isRight() ? kDone : kOutside;
+}
+
+int tellRun(const Options& options, Scene scene) {
+  const RunFile run{options.run};
+  std::optional<Doing> judging{"judging"};
+  const RunReport report = judgeRun(pictureFor(options, std::move(scene), options.run, run.size()), run);
+  judging.reset();
+  std::cout << (options.json ? page::asJson : page::asText)(pageOf(report));
+  return report.wrong.empty() ? kDone : kOutside;
 }
 
 int gradeFolder(const Options& options, Scene scene) {

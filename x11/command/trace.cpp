@@ -10,6 +10,7 @@
 
 #include "depthsort/record/explain.h"
 #include "depthsort/record/replay.h"
+#include "x11/homework/run_file.h"
 
 namespace xnewell {
 
@@ -36,18 +37,6 @@ Json json(const CommonArea& common) {
           {"P_nearer", common.P.inFront},      {"equal", common.P.on},
           {"Q_nearer", common.P.behind},       {"zP_minus_zQ", json(common.aheadOfQ)},
           {"doubt", shown(common.doubt)}};
-}
-
-std::string_view nameOf(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::PFirst:
-      return "P first";
-    case Verdict::QFirst:
-      return "Q first";
-    case Verdict::Crossing:
-      return "crossing";
-  }
-  return "";
 }
 
 /// Writes a run event by event.
@@ -83,12 +72,13 @@ class Teller {
     if (!out_) throw std::system_error{errno, std::generic_category(), "standard output"};
   }
 
-  [[nodiscard]] Json begun(const Event& e) const {
-    Json object{
-        {"step", replay_.step()}, {"event", wordFor(e.kind)}, {"P", explainer_.name(e.P)}, {"P_id", e.P}};
-    if (e.Q >= 0) object.update({{"Q", explainer_.name(e.Q)}, {"Q_id", e.Q}});
-    return object;
+  [[nodiscard]] RunPolygon polygon(int id) const {
+    return id < 0 ? RunPolygon{} : RunPolygon{id, explainer_.name(id)};
   }
+  [[nodiscard]] RunStep stepOf(const Event& e) const {
+    return {.kind = e.kind, .P = polygon(e.P), .Q = polygon(e.Q), .step = replay_.step()};
+  }
+  [[nodiscard]] Json begun(const Event& e) const { return asJson(stepOf(e)); }
   void finish(Json object, const Event& e) {
     object["says"] = explainer_.sentence(e, splits_);
     line(object);
@@ -119,12 +109,10 @@ class Teller {
         return finish(std::move(contact), e);
       }
       case Event::Kind::Split: {
-        Json cut = begun(e);
         const int behind = explainer_.fragments().pieceOf(splits_);
-        cut["behind"] = explainer_.name(behind);
-        cut["behind_id"] = behind;
-        cut["in_front"] = explainer_.name(behind + 1);
-        cut["in_front_id"] = behind + 1;
+        RunStep step = stepOf(e);
+        step.behind = polygon(behind), step.inFront = polygon(behind + 1);
+        Json cut = asJson(step);
         cut["numbers"] = {{"P_from_plane_of_Q", json(explainer_.corners(e.P, e.Q))}};
         return finish(std::move(cut), e);
       }
@@ -140,16 +128,13 @@ class Teller {
   void tests(const Event& e) {
     const std::vector<Test> made = explainer_.testsMade(e);
     for (const Test test : made) {
-      Json object = begun(e);
-      const TestRow& row = kTestRows[static_cast<int>(test)];
-      object["test"] = row.name;
-      object["asks"] = row.asks;
+      RunStep step = stepOf(e);
+      step.test = test, step.outcome = "no";
       if (test == e.test) {
-        object["outcome"] = test == Test::Overlap ? nameOf(e.verdict) : "yes";
-        object["verdict"] = nameOf(e.verdict);
-      } else {
-        object["outcome"] = "no";
+        step.outcome = test == Test::Overlap ? nameOf(e.verdict) : "yes";
+        step.verdict = e.verdict;
       }
+      Json object = asJson(step);
       Json numbers = numbersOf(e, test);
       if (test == made.front())
         numbers.update({{"P_z", json(explainer_.zExtent(e.P))}, {"Q_z", json(explainer_.zExtent(e.Q))}});

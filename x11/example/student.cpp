@@ -1,8 +1,10 @@
 // A start for the assignment: polygons of an .obj file, projected, shaded flat, sorted by their farthest
-// corner and painted in a window. It needs libX11 and GLM: c++ -std=c++20 -O2 student.cpp -o student -lX11
+// corner and painted in a window. It needs libX11, GLM and a header of ours, `xnewell run-header >
+// xnewell_run.h`: c++ -std=c++20 -O2 student.cpp -o student -lX11
 //   student MODEL.obj              opens a window; any key ends it
 //   student MODEL.obj picture.ppm  also writes what the window shows, for `xnewell diagnose`
 //   student MODEL.obj picture.ppm order.jsonl   and the painting order, for `xnewell judge`
+//   student MODEL.obj picture.ppm order.jsonl run.jsonl   and its steps, for `xnewell judge --run`
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 
@@ -16,6 +18,8 @@
 #include <iostream>
 #include <sstream>
 #include <vector>
+
+#include "xnewell_run.h"
 
 namespace {
 
@@ -99,7 +103,7 @@ void project(Polygon& polygon) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2) return std::cerr << "usage: student MODEL.obj [picture.ppm [order.jsonl]]\n", 2;
+  if (argc < 2) return std::cerr << "usage: student MODEL.obj [picture.ppm [order.jsonl [run.jsonl]]]\n", 2;
   Display* const display = XOpenDisplay(nullptr);
   if (!display) return std::cerr << "student: no X server\n", 1;
   std::vector<Polygon> polygons = readObj(argv[1]);
@@ -140,6 +144,10 @@ int main(int argc, char** argv) {
   if (argc > 3) {
     std::ofstream out{argv[3]};
     for (const Polygon& polygon : polygons) out << "{\"face\": " << polygon.number << "}\n";
+  }
+  if (argc > 4) {
+    xnewell_run::Run run(argv[4], kWidth, kHeight);
+    for (const Polygon& polygon : polygons) run.take(polygon.number), run.paint(polygon.number, polygon.cell);
   }
   for (XEvent event; argc == 2;) {
     XNextEvent(display, &event);

@@ -18,6 +18,7 @@
 #include "x11/homework/answer_file.h"
 #include "x11/homework/diagnosis_report.h"
 #include "x11/homework/html.h"
+#include "x11/homework/judge_run.h"
 #include "x11/homework/judgement_report.h"
 
 namespace xnewell {
@@ -86,10 +87,7 @@ void Marker::markPicture(MarkedFile& row, const std::string& path) {
   if (pictures_) row.picture = smallPng(handed.picture);
 }
 
-void Marker::markOrder(MarkedFile& row, const std::string& path) {
-  const auto [steps, own] = readPaintOrder(path, scene_.mesh.faceCount());
-  const glm::ivec2 usual = size_.value_or(glm::ivec2{settings_.width, settings_.height});
-  const glm::ivec2 size = own.value_or(usual);
+const Picture& Marker::planesAt(glm::ivec2 size) {
   if (planes_.size() >= kMostSizes && !planes_.contains({size.x, size.y})) planes_.clear();
   auto planes = planes_.find({size.x, size.y});
   if (planes == planes_.end()) {
@@ -98,14 +96,32 @@ void Marker::markOrder(MarkedFile& row, const std::string& path) {
     settings.width = size.x, settings.height = size.y;
     planes = planes_.emplace(std::pair{size.x, size.y}, makePicture(scene_, settings).withPlanes()).first;
   }
-  const OrderReport report = judgeOrder(planes->second, steps);
-  row.verdict = report.isRight() ? "right" : "wrong", row.words = verdictOf(report, steps);
-  if (size != usual) row.words += "; judged at " + sizeText(size.x, size.y);
-  if (!report.isRight()) row.mistakes = kindOf(report), row.terms = "order";
-  if (report.first) {
-    row.pixel = {report.first->i, report.first->j};
-    row.face = steps[report.first->shown].face;
+  return planes->second;
+}
+
+void Marker::markOrder(MarkedFile& row, const std::string& path) {
+  const glm::ivec2 usual = size_.value_or(glm::ivec2{settings_.width, settings_.height});
+  glm::ivec2 size = usual;
+  if (isRunFile(path)) {
+    const RunFile run{path};
+    size = run.size().value_or(usual);
+    const RunReport report = judgeRun(planesAt(size), run);
+    row.verdict = report.wrong.empty() ? "right" : "wrong", row.words = verdictOf(report);
+    for (const FalseStep& step : report.wrong)
+      row.mistakes += (row.mistakes.empty() ? "" : " ") + std::string{nameOf(step.kind)};
+  } else {
+    const auto [steps, own] = readPaintOrder(path, scene_.mesh.faceCount());
+    size = own.value_or(usual);
+    const OrderReport report = judgeOrder(planesAt(size), steps);
+    row.verdict = report.isRight() ? "right" : "wrong", row.words = verdictOf(report, steps);
+    if (!report.isRight()) row.mistakes = kindOf(report);
+    if (report.first) {
+      row.pixel = {report.first->i, report.first->j};
+      row.face = steps[report.first->shown].face;
+    }
   }
+  if (row.verdict != "right") row.terms = "order";
+  if (size != usual) row.words += "; judged at " + sizeText(size.x, size.y);
 }
 
 void Marker::markAnswers(MarkedFile& row, const std::string& path) const {

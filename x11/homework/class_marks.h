@@ -13,7 +13,8 @@
 
 namespace xnewell {
 
-/// The homework of a class: the pictures, the painting orders and the answers in a folder, a row each.
+/// The homework of a class: the pictures, the painting orders, the runs and the answers in a folder, a row
+/// each.
 
 struct MarkedFile {
   std::string file;          ///< its name in the folder
@@ -46,6 +47,8 @@ class Marker {
 
  private:
   void markPicture(MarkedFile& row, const std::string& path);
+  [[nodiscard]] const Picture& planesAt(glm::ivec2 size);
+  /// Of an order, or of a run.
   void markOrder(MarkedFile& row, const std::string& path);
   void markAnswers(MarkedFile& row, const std::string& path) const;
 

@@ -40,6 +40,7 @@ void addPlaces(Reader& r) {
   only({"--play"}, {"lecture"});
   only({"--answers"}, {"lesson", "lecture"});
   only({"--scene-for"}, {"diagnose"});
+  only({"--run"}, {"judge"});
   only({"--page"}, {"grade"});
   only({"--count", "--seed", "--gift"}, {"questions"});
   only({"--worksheet"}, {"lesson"});

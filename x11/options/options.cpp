@@ -238,6 +238,8 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
   r.number("--budget", o.trade.seconds, 1, 3600,
            "about how many seconds of the processor's time to measure, at most",
            "trade " + textOf(TradeRequest{}.seconds) + ", --accuracy " + textOf(kAccuracySeconds));
+  r.named("--run", o.run, "file",
+          "judge: the steps of a depth sort, as xnewell_run.h or trace writes them, in place of an order");
   r.flag("--whole-window", o.wholeWindow,
          "snapshot: the window with all its controls; trace --frames: with the stepper at each step");
   r.flag("--quick", o.quick,

@@ -39,7 +39,8 @@ enum class Command {
   Lecture,
   Visuals,
   Scenes,
-  Keys
+  Keys,
+  RunHeader
 };
 struct CommandRow {
   Command id;
@@ -67,9 +68,9 @@ inline constexpr std::array kCommands{
     CommandRow{Command::Diagnose, "diagnose", "diagnose SCENE PICTURE.png | --scene-for A,B",
                "which mistake the program made that drew the picture; SCENE and options say what is right",
                true, "PICTURE, a PNG, PPM, BMP or XWD file"},
-    CommandRow{Command::Judge, "judge", "judge SCENE ORDER.jsonl [--json]",
-               "whether a painting order of faces and pieces is right, and its first wrong pair", true,
-               "ORDER, a file of JSON lines"},
+    CommandRow{Command::Judge, "judge", "judge SCENE ORDER.jsonl | --run RUN.jsonl [--json]",
+               "whether a painting order is right, or each step of a depth sort, and what is wrong first",
+               true, "ORDER, a file of JSON lines"},
     CommandRow{Command::Grade, "grade", "grade SCENE FOLDER -o MARKS.csv [options]",
                "the pictures, painting orders and answers of a class, a row each", true,
                "FOLDER, what a class has handed in"},
@@ -84,6 +85,8 @@ inline constexpr std::array kCommands{
     CommandRow{Command::Scenes, "scenes", "scenes",
                "the built-in scenes, lessons and lectures, one line each"},
     CommandRow{Command::Keys, "keys", "keys", "the keys of all views of the window, as tables"},
+    CommandRow{Command::RunHeader, "run-header", "run-header",
+               "a header in C++11, with which a depth sort of your own writes its run for `judge --run`"},
 };
 
 [[nodiscard]] constexpr const CommandRow& rowOf(Command command) {
@@ -102,6 +105,7 @@ struct Options {
   bool commandMeant = false;        ///< no command was given, and the first argument may be a mistyped one
   std::string scene = "teapot";     ///< or the lesson's name, or the lecture's file
   std::string carrier;              ///< the picture that carries the scene's name and its set-up; "" for none
+  std::string run;                  ///< judge: the run of another program; "" for none
   std::string handedIn;             ///< diagnose, judge, grade: the picture, order or folder; "" for none
   std::optional<glm::ivec2> pixel;  ///< explain: column and row, from the top left
   int divisions = kDefaultDivisions;

@@ -140,7 +140,9 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   }
   if ((makesPng || traces || charts || explains || figure || takes || asks) && !sceneGiven)
     throw UsageError{name + " needs a scene, such as teapot"};
-  if (takes && o.handedIn.empty())
+  exclude(!o.handedIn.empty(), !o.run.empty(), "an order and --run");
+  exclude(!o.output.empty(), !o.run.empty(), "-o and --run");
+  if (takes && o.handedIn.empty() && o.run.empty())
     throw UsageError{name + " needs, after the scene, " + std::string{rowOf(o.command).takes}};
   if (grades && o.output.empty()) throw UsageError{"grade needs -o MARKS.csv"};
   if (explains && !o.pixel && !o.gave("--viewing"))

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <map>
 #include <utility>
 
-#include "depthsort/fragment_spans.h"
 #include "depthsort/pair_tests.h"
 #include "depthsort/pieces.h"
 #include "shading/diagnose/pair_scene.h"
-#include "shading/laboratory/exactness.h"
 #include "x11/drawing/wording.h"
+#include "x11/homework/hidden_samples.h"
 #include "x11/homework/judgement_report.h"
 #include "x11/stepper/fragment_tint.h"
 #include "x11/stepper/sort_wording.h"
@@ -90,28 +88,14 @@ OwnSort::Hidden OwnSort::hidden(const SortRun& run, int P, int R) const {
   const Seen p{run, P}, r{run, R};
   if (!p.box.overlaps(r.box)) return found;
   const SnappedScene& scene = picture_.snapped();
-  const int width = picture_.settings().width, height = picture_.settings().height;
-  std::map<int, std::vector<Columns>> rows;
-  forEachSpan(scene, sorted_, fragmentOf(scene, sorted_, P), width, height, [&](int row, int from, int to) {
-    rows[row].push_back({from, to});
-  });
-  const auto isHidden = [&](int i, int j) {
-    return nearer(scene.planes[p.face.plane], scene.planes[r.face.plane], i, j) > 0 &&
-           checkOf(scene, r.index, p.index, i, j) == SampleCheck::Wrong;
-  };
-  forEachSpan(scene, sorted_, fragmentOf(scene, sorted_, R), width, height, [&](int row, int from, int to) {
-    const auto at = rows.find(row);
-    if (at == rows.end()) return;
-    for (const Columns& columns : at->second)
-      for (int i = std::max(from, columns.from); i < std::min(to, columns.to); ++i) {
-        if (!isHidden(i, row)) continue;
-        if (found.samples++ == 0) found.i = i, found.j = row;
-        if (!found.rows.empty() && found.rows.back().row == row && found.rows.back().to == i)
-          ++found.rows.back().to;
-        else
-          found.rows.push_back({row, i, i + 1});
-      }
-  });
+  forEachHidden(scene, sorted_, fragmentOf(scene, sorted_, P), fragmentOf(scene, sorted_, R),
+                picture_.settings().width, picture_.settings().height, [&](int i, int row) {
+                  if (found.samples++ == 0) found.i = i, found.j = row;
+                  if (!found.rows.empty() && found.rows.back().row == row && found.rows.back().to == i)
+                    ++found.rows.back().to;
+                  else
+                    found.rows.push_back({row, i, i + 1});
+                });
   return found;
 }
 

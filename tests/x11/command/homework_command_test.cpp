@@ -40,6 +40,61 @@ TEST_F(CommandTest, JudgeShowsAWrongPair) {
   EXPECT_EQ(ids.pixel(pixel[0].get<int>(), pixel[1].get<int>())[2], 2);  // the second polygon hides the first
 }
 
+// A run is told in one line a step, and as JSON. What is no run is refused in one line.
+TEST_F(CommandTest, JudgeFindsTheFirstFalseStepOfARun) {
+  const std::string run = file("run.jsonl");
+  const auto write = [&](const std::string& lines) { std::ofstream{run} << lines; };
+  const std::string first = "{\"event\": \"run\", \"size\": [800, 600]}\n{\"event\": \"take\", \"P\": 0}\n",
+                    last = "{\"event\": \"paint\", \"P\": 0}\n{\"event\": \"paint\", \"P\": 1}\n";
+  write(first + R"({"event": "test", "P": 0, "Q": 1, "test": "1", "outcome": "yes"})" + '\n' + last);
+  const auto said = runProgram({"judge", "two-cards", "--run", run});
+  EXPECT_EQ(said.status, 1);
+  EXPECT_TRUE(
+      said.out.starts_with("wrong: 4 steps, and this is the first false one\nline 3: test 1 of face 0 (P) "
+                           "and face 1 (Q) says yes: do the x-extents not overlap? No: they overlap by "))
+      << said.out;
+  const auto json = Json::parse(runProgram({"judge", "two-cards", "--run", run, "--json"}).out);
+  EXPECT_EQ(json.at("wrong")[0].at("kind"), "answer");
+  EXPECT_EQ(json.at("wrong").size(), 1u);  // what is painted too early follows from it
+  EXPECT_EQ(json.at("follow"), 1);
+  std::filesystem::create_directory(file("class"));
+  std::filesystem::copy(run, file("class/one.jsonl"));
+  EXPECT_EQ(runProgram({"grade", "two-cards", file("class"), "-o", file("marks.csv")}).status, 0);
+  EXPECT_NE(contents(file("marks.csv")).find("one.jsonl,wrong,"), std::string::npos)
+      << contents(file("marks.csv"));
+  write(first + "{\"event\": \"move\", \"P\": 0, \"Q\": 1}\n" +
+        "{\"event\": \"paint\", \"P\": 1}\n{\"event\": \"paint\", \"P\": 0}\n");
+  EXPECT_EQ(runProgram({"judge", "two-cards", "--run", run}).out, "right: 4 steps, and none is false\n");
+  refused({"judge", "two-cards", "--run", run, "--size", "640x480"}, 2,
+          run + " is for a picture of 800 x 600, and --size says 640 x 480: leave --size out");
+  refused({"judge", "two-cards", "--run", run, run}, 2, "an order and --run exclude each other");
+
+  const std::string number = "\"P\" is a whole number from 0";
+  for (const auto& [line, why] : std::vector<std::pair<std::string, std::string>>{
+           {R"({"event": "take", "P": 2})", "no polygon 2: the faces are 0 to 1, and no split made it"},
+           {R"({"event": "take", "P": "a"})", number},
+           {R"({"event": "take", "P": 99999999999999999999})", number},
+           {R"({"event": "take", "P": 1e999})", "a number is too large"},
+           {R"({"event": "take"})", "\"P\" is needed: the number of a face, from 0, or of a piece"},
+           {R"({"event": "go", "P": 0})",
+            "'go' is no event: take, test, move, mark, cut, paint and note are"},
+           {R"({"event": "test", "P": 0, "Q": 1, "test": "7", "outcome": "no"})",
+            "'7' is no test: plane, 1, 2, 3, 4, 5, 3', 4' and 6 are"},
+           {R"({"event": "move", "P": 1, "Q": 1})", "P and Q are the same polygon"},
+           {R"({"event": "cut", "P": 0, "Q": 1, "behind": 2, "in_front": 2})",
+            "a piece has the number 2, which another polygon has"},
+           {R"({"event": "cut", "P": 0, "Q": 1, "behind": 2, "in_front": 3, "P_shade": [1, 2]})",
+            "\"P_shade\" is [Nx, Ny, Nz, N.L, cell]"},
+           {R"({"event": "take", "P": )" + std::string(300, '['),
+            "lists and objects are nested more than 100 deep"},
+           {std::string("\x00\xff\x13", 3), R"(not a JSON object such as {"event": "take", "P": 3})"}}) {
+    write(first + line + '\n');
+    refused({"judge", "two-cards", "--run", run}, 2, run + ":3: " + why);
+  }
+  write("");
+  refused({"judge", "two-cards", "--run", run}, 2, run + ": no line is a step of a run");
+}
+
 // An order with pieces is right in the picture whose size it says, and wrong in another. A size beside it may
 // only be the same. The page of a class says where an order was judged.
 TEST_F(CommandTest, OrdersSayTheSizeOfTheirPicture) {

@@ -24,7 +24,8 @@ TEST_F(CommandTest, StudentsProgramIsRightAndItsMistakesAreNamed) {
     std::ofstream{file(name + ".cpp")} << text;
     const std::string compiled = file(name), run = "DISPLAY=" + server.name() + " " + compiled + " " +
                                                    kExample + "house.obj " + file(name + ".ppm") + " " +
-                                                   file(name + ".jsonl");
+                                                   file(name + ".jsonl") + " " + file(name + ".run");
+    std::ofstream{file("xnewell_run.h")} << runProgram({"run-header"}).out;
     EXPECT_EQ(std::system((std::string{XNEWELL_CXX} + " -std=c++20 " + file(name + ".cpp") + " -o " +
                            compiled + " -lX11")
                               .c_str()),
@@ -38,6 +39,9 @@ TEST_F(CommandTest, StudentsProgramIsRightAndItsMistakesAreNamed) {
   EXPECT_TRUE(said.out.starts_with("right\n  this picture would be the same with ")) << said.out << said.err;
   said = runProgram(Strings{"judge"} + house + Strings{file("right.jsonl"), "--size", "640x480"});
   EXPECT_TRUE(said.out.starts_with("right: 9 steps")) << said.out << said.err;
+
+  said = runProgram(Strings{"judge"} + house + Strings{"--run", file("right.run")});
+  EXPECT_TRUE(said.out.starts_with("right: 18 steps")) << said.out << said.err;
 
   std::string wrong = source;
   const std::string R = "2.0 * NL * N - L";
