@@ -50,7 +50,7 @@ struct Drawn {
 // A page is told once: as text, with its marks taken out, and as JSON with all digits, in the order that it
 // asks for.
 TEST(Page, IsToldAsTextAndJson) {
-  Section s{"1 numbers", "an aside"};
+  page::Section s{"1 numbers", "an aside"};
   s.add(numbers(2, 0));
   s.add(Fact{"sum", 0.125, "their sum is " + asked(2, "0.1250") + std::string{kTick}});
   s.fact("none", Data{});
@@ -88,7 +88,7 @@ TEST(Page, RowsOfALongTable) {
 
 // The lightest goes first, whatever stands above or below it; where there is room again, it stays.
 TEST(Page, TheLightestGoesFirst) {
-  Section s{"weights"};
+  page::Section s{"weights"};
   for (int weight = 1; weight <= 9; ++weight) s.say("weight " + std::to_string(weight), weight);
   s.say("never in a window", 0);
   for (int height = 60; height < 220; height += 10) {
@@ -103,9 +103,9 @@ TEST(Page, TheLightestGoesFirst) {
 // A narrow table gives up its remark, then decimals, and keeps its numbers; a finding gives up its last
 // lines.
 TEST(Page, ANarrowTableKeepsItsNumbers) {
-  Section s{"t"};
+  page::Section s{"t"};
   s.add(numbers(3, -1));
-  s.add(Finding{.bold = "Found.", .why = "Why it is so, in a sentence that takes some lines of a box."});
+  s.add(page::Finding{.bold = "Found.", .why = "Why it is so, in a sentence that takes some lines of a box."});
   for (const int width : {60, 84, 120, 200, 400})
     EXPECT_TRUE(Drawn(Page{.sections = {s}}, width, 400).within(width, 400)) << width;
   EXPECT_EQ(Drawn(Page{.sections = {s}}, 200, 400).image == Drawn(Page{.sections = {s}}, 400, 400).image,
