@@ -112,6 +112,8 @@ std::vector<Setting> lightRows() {
        .differsIn = "light"},
       {.key = "form",
        .option = "--form",
+       .alias = "--half-vector",
+       .means = "half-vector",
        .label = "form",
        .is = "which cosine the specular term raises to the n-th power",
        .role = Role::model(),

@@ -57,7 +57,8 @@ std::string_view ownWords(const Setting& setting, const Value& value) {
 }  // namespace
 
 const Setting* settingOf(std::string_view option) {
-  const auto row = std::ranges::find(settingRows(), option, &Setting::option);
+  const auto row = std::ranges::find_if(
+      settingRows(), [&](const Setting& s) { return s.option == option || s.alias == option; });
   return row == settingRows().end() ? nullptr : &*row;
 }
 

@@ -112,8 +112,10 @@ class Role {
 };
 
 struct Setting {
-  std::string_view key = {};          ///< the key in "shading" of a scene file: "table.i0"
-  std::string_view option = {};       ///< "--i0"
+  std::string_view key = {};     ///< the key in "shading" of a scene file: "table.i0"
+  std::string_view option = {};  ///< "--i0"
+  std::string_view alias = {};   ///< an option that is the same as `option` with the value `means`
+  std::string_view means = {};
   std::string_view label = {};        ///< "I0"
   char control = 0;                   ///< the key in the window
   Section section = Section::Hidden;  ///< the section that has its control
@@ -141,7 +143,7 @@ struct Setting {
 };
 
 [[nodiscard]] const std::vector<Setting>& settingRows();
-/// The row of an option ("--ka") or of a control's key; null if there is none.
+/// The row of an option ("--ka"), of an alias or of a control's key; null if there is none.
 [[nodiscard]] const Setting* settingOf(std::string_view option);
 [[nodiscard]] const Setting* settingOf(char control);
 

@@ -49,7 +49,7 @@ std::string keyLists() {
       std::ranges::find_if(lesson.steps, [](const LessonStep& step) { return step.question.has_value(); });
   const auto number = static_cast<int>(asks - lesson.steps.begin());
   asks->controls.clear();
-  for (const LessonControlRow& row : kLessonControls) asks->controls.push_back(row.id);
+  for (const LessonControl& row : lessonControls()) asks->controls.push_back(row.id);
   bench.teach(std::move(lesson));
   bench.lessons().goTo(number);
   bench.update();

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -63,12 +64,19 @@ namespace xnewell {
 
 namespace {
 
+/// What the command line names, as it was read.
+struct Input {
+  Scene scene;
+  double msRead;
+  nlohmann::ordered_json accuracy;  ///< what --accuracy has chosen
+};
+
 /// From a scene to a picture in a file.
-void draw(const Options& options, Scene scene, double msRead, const nlohmann::ordered_json& accuracy) {
+void drawPicture(const Options& options, Input in) {
   std::optional<Doing> drawing{"drawing"};
   const PictureSettings settings = settingsOf(options);
   const CellPlan plan{settings.table.kind};
-  const Picture picture = makePicture(std::move(scene), settings, plan[Cell::Well]);
+  const Picture picture = makePicture(std::move(in.scene), settings, plan[Cell::Well]);
   if (const auto& refined = picture.shading().refined(); refined && refined->limit != RefineLimit::None)
     std::cerr << "xnewell: --adapt " << options.picture.adapt << " is not reached everywhere: "
               << (refined->limit == RefineLimit::Parts
@@ -78,14 +86,14 @@ void draw(const Options& options, Scene scene, double msRead, const nlohmann::or
   drawing.reset();
   const Measurements known = measured(options, picture);
   StageTimes times = picture.times();
-  times.read = msRead;
+  times.read = in.msRead;
   drawing.emplace("writing");
   const Stopwatch watch;
   const Palette palette = withEffects(picture.palette(plan), picture, plan, options.effects);
   writePictures(options, picture, encodePng(withMarks(picture, palette), palette, noteOf(options, picture)));
   times.present = watch.ms();
   drawing.reset();
-  report(options, picture, known, times, accuracy);
+  report(options, picture, known, times, in.accuracy);
 }
 
 /// Says why a pixel has its colour, or what the viewing transformation does to a vertex.
@@ -207,30 +215,64 @@ int teach(const Options& options) {
 }
 
 /// Draws the picture in a window of a server, reads it back and writes it.
-void snapshot(const Options& options, Scene scene, double msRead, const nlohmann::ordered_json& accuracy) {
-  takeSnapshot(options, std::move(scene),
+void snapshot(const Options& options, Input in) {
+  takeSnapshot(options, std::move(in.scene),
                [&](const Picture& picture, const std::string& png, StageTimes times, const Sent& sent) {
-                 times.read = msRead;
+                 times.read = in.msRead;
                  const Measurements known = measured(options, picture);
                  writePictures(options, picture, png);
-                 report(options, picture, known, times, accuracy, &sent);
+                 report(options, picture, known, times, in.accuracy, &sent);
                });
 }
+
+/// What each command that draws a scene does with it, and what the others do.
+struct RunRow {
+  Command id;
+  int (*run)(const Options&, Input) = nullptr;
+  int (*alone)(const Options&) = nullptr;
+};
+constexpr std::array kRuns{
+    RunRow{Command::View, [](auto& o, Input in) { return openWindow(o, std::move(in.scene)); }},
+    RunRow{Command::Draw,
+           [](auto& o, Input in) {
+             if (o.view == View::Picture)
+               drawPicture(o, std::move(in));
+             else
+               drawNumbers(o, std::move(in.scene));
+             return int{kDone};
+           }},
+    RunRow{Command::Snapshot, [](auto& o, Input in) { return snapshot(o, std::move(in)), int{kDone}; }},
+    RunRow{Command::Figure, [](auto& o, Input in) { return drawFigure(o, in.scene), int{kDone}; }},
+    RunRow{Command::Explain,
+           [](auto& o, Input in) { return explainPixel(o, std::move(in.scene)), int{kDone}; }},
+    RunRow{Command::Trace, [](auto& o, Input in) { return trace(o, std::move(in.scene)), int{kDone}; }},
+    RunRow{Command::Trade, [](auto& o, Input in) { return tellTrade(o, std::move(in.scene)); }},
+    RunRow{Command::Extremes, [](auto& o, Input in) { return tellExtremes(o, in.scene); }},
+    RunRow{Command::Diagnose, [](auto& o, Input in) { return tellDiagnosis(o, std::move(in.scene)); }},
+    RunRow{Command::Judge,
+           [](auto& o, Input in) {
+             return o.run.empty() ? tellJudgement(o, std::move(in.scene)) : tellRun(o, std::move(in.scene));
+           }},
+    RunRow{Command::Grade, [](auto& o, Input in) { return gradeFolder(o, std::move(in.scene)); }},
+    RunRow{Command::Questions, [](auto& o, Input in) { return tellQuestions(o, in.scene); }},
+    RunRow{Command::Lesson, nullptr, teach},
+    RunRow{Command::Lecture, nullptr, lecture},
+    RunRow{Command::Visuals, nullptr, [](auto& o) { return std::cout << visualsTable(o), int{kDone}; }},
+    RunRow{Command::Scenes, nullptr, [](auto&) { return listScenes(), int{kDone}; }},
+    RunRow{Command::Keys, nullptr, [](auto&) { return std::cout << keyLists(), int{kDone}; }},
+    RunRow{Command::RunHeader, nullptr, [](auto&) { return std::cout << kRunHeader, int{kDone}; }},
+};
 
 int run(int argc, char** argv) {
   std::optional<Options> said = parseOptions(argc, argv);
   if (!said) return kDone;
   Options& options = *said;
-  if (!rowOf(options.command).draws) settle(options, {});
-  if (options.command == Command::Scenes) return listScenes(), kDone;
-  if (options.command == Command::Keys) return std::cout << keyLists(), kDone;
-  if (options.command == Command::RunHeader) return std::cout << kRunHeader, kDone;
-  if (options.command == Command::Visuals) return std::cout << visualsTable(options), kDone;
-  if (options.command == Command::Lesson) return teach(options);
-  if (options.command == Command::Lecture) return lecture(options);
-
+  const RunRow& command = *std::ranges::find(kRuns, options.command, &RunRow::id);
+  if (command.alone) {
+    settle(options, {});
+    return command.alone(options);
+  }
   if (!options.sceneFor.empty()) return tellSceneFor(options);
-
   if (!options.handedIn.empty()) rememberInput(options.handedIn);
   const Stopwatch watch;
   Scene scene = readyScene(options);
@@ -238,21 +280,7 @@ int run(int argc, char** argv) {
   checkOutputs(outputsOf(options));
   nlohmann::ordered_json accuracy;
   if (options.accuracy) accuracy = keepWithin(*options.accuracy, options, scene);
-  if (options.command == Command::View) return openWindow(options, std::move(scene));
-  if (options.command == Command::Snapshot)
-    return snapshot(options, std::move(scene), msRead, accuracy), kDone;
-  if (options.command == Command::Trade) return tellTrade(options, std::move(scene));
-  if (options.command == Command::Extremes) return tellExtremes(options, scene);
-  if (options.command == Command::Diagnose) return tellDiagnosis(options, std::move(scene));
-  if (options.command == Command::Judge && !options.run.empty()) return tellRun(options, std::move(scene));
-  if (options.command == Command::Judge) return tellJudgement(options, std::move(scene));
-  if (options.command == Command::Grade) return gradeFolder(options, std::move(scene));
-  if (options.command == Command::Questions) return tellQuestions(options, scene);
-  if (options.command == Command::Explain) return explainPixel(options, std::move(scene)), kDone;
-  if (options.command == Command::Trace) return trace(options, std::move(scene)), kDone;
-  if (options.command == Command::Figure) return drawFigure(options, scene), kDone;
-  if (options.view != View::Picture) return drawNumbers(options, std::move(scene)), kDone;
-  return draw(options, std::move(scene), msRead, accuracy), kDone;
+  return command.run(options, {std::move(scene), msRead, std::move(accuracy)});
 }
 
 int failed(ExitStatus status, const std::string& what) {

@@ -1,16 +1,35 @@
 #include "x11/lessons/lesson.h"
 
 #include <algorithm>
+#include <array>
 
 #include "geometry/files/data_folder.h"
 #include "geometry/files/text_file.h"
 #include "shading/scene/json_text.h"
+#include "shading/scene/settings.h"
 #include "x11/lessons/lesson_facts.h"
 #include "x11/lessons/read_exhibit.h"
 
 namespace xnewell {
 
 namespace {
+
+/// The controls that are no settings of the picture, or that lessons call by another name. The server's
+/// filler is not for lessons.
+constexpr std::array kOwnControls{
+    LessonControl{'l', "light", "light", "turn the light with the arrows"},
+    LessonControl{'t', "turn", "turn", "turn the scene with the arrows", "arrows, or drag the picture"},
+    LessonControl{'z', "zoom", "zoom", "come nearer or go away with the arrows", "arrows up and down"},
+    LessonControl{'P', "projection", "project"},
+    LessonControl{'J', "nearest", "nearest"},
+    LessonControl{'L', "L constant", "L const.", "", "the light is far away"},
+    LessonControl{'V', "V constant", "V const.", "", "the viewer is far away"},
+    LessonControl{'M', "names", "names", "", "name the polygons"},
+    LessonControl{'W', "wrong", "wrong", "", "mark them in the picture"},
+    LessonControl{'v', "event", "step", "go through the run with the arrows"},
+    LessonControl{'m', "rotate", "rotate", "", "move the ramp through its cells"},
+    LessonControl{'g', "gamma", "gamma"},
+};
 
 constexpr std::size_t kLongestHeading = 26;  // letters of Voice::Title in a column of 320 pixels
 
@@ -71,7 +90,7 @@ LessonStep readStep(const Node& node, const Exhibit* before, SceneShelf& shelf) 
   if (node.has("controls")) {
     const Node controls = node.at("controls");
     for (int k = 0; k < controls.size(); ++k) {
-      step.controls.push_back(controls.item(k).choice(kLessonControls));
+      step.controls.push_back(controls.item(k).choice(lessonControls()));
       if (std::ranges::count(step.controls, step.controls.back()) > 1)
         controls.item(k).fail("the control is listed twice");
     }
@@ -90,6 +109,19 @@ LessonEntry readEntry(const Node& root) {
 }
 
 }  // namespace
+
+const std::vector<LessonControl>& lessonControls() {
+  static const std::vector<LessonControl> rows = [] {
+    std::vector<LessonControl> all;
+    for (const Setting& setting : settingRows())
+      if (setting.control != 0 && setting.key != "fill" &&
+          std::ranges::find(kOwnControls, setting.control, &LessonControl::id) == kOwnControls.end())
+        all.push_back({setting.control, setting.label, setting.label});
+    all.insert(all.end(), kOwnControls.begin(), kOwnControls.end());
+    return all;
+  }();
+  return rows;
+}
 
 Lesson parseLesson(std::string_view text, const std::string& name, const std::filesystem::path& folder) {
   const JsonText json{text, name};

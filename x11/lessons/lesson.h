@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,7 +18,7 @@ namespace xnewell {
 ///   "steps"   1 to 12, each one an exhibit (read_exhibit.h) with
 ///     "heading"  at most 26 characters
 ///     "caption"  a list of paragraphs; the program replaces {cuts} by what it counts (lesson_facts.h)
-///     "controls" names of kLessonControls: the controls that work in the step
+///     "controls" names of lessonControls(): the controls that work in the step
 ///     "question" {"asks", "hint", "answers": 2 to 4 of {"text", "holds", "says", "shown"}}
 ///
 /// Exactly one answer "holds". After an answer is given, the page shows what it "says", and what is "shown":
@@ -27,71 +26,14 @@ namespace xnewell {
 /// fails. A step without "scene" begins with the exhibit of the step before, and changes it.
 /// Unknown keys, wrong types and values out of range are refused.
 
-enum class LessonControl {
-  Ia,
-  Ip,
-  Ka,
-  Kd,
-  Ks,
-  N,
-  Shades,
-  I0,
-  Light,
-  Turn,
-  Zoom,
-  Shading,
-  Normals,
-  Order,
-  Projection,
-  Table,
-  Hue,
-  Bits,
-  Pick,
-  ConstantL,
-  ConstantV,
-  Names,
-  Wrong,
-  Event,
-  Rotate,
-  Gamma
+/// A control that a step may have: each of a setting of the picture, under its label, and a few that are no
+/// settings or have other words in a lesson.
+struct LessonControl {
+  char id;  ///< its key, the same as in the views that have the control too
+  std::string_view name, label;
+  std::string_view is = {}, words = {};  ///< if they are not those of the views
 };
-struct LessonControlRow {
-  LessonControl id;
-  char key;  ///< the same as in the views that have the control too
-  std::string_view name;
-  char spare = 0;  ///< the key in a step where `key` chooses an answer, `a` to `d`
-};
-inline constexpr std::array kLessonControls{
-    LessonControlRow{LessonControl::Ia, 'i', "Ia"},
-    LessonControlRow{LessonControl::Ip, 'p', "Ip"},
-    LessonControlRow{LessonControl::Ka, 'a', "ka", 'k'},
-    LessonControlRow{LessonControl::Kd, 'd', "kd", 'f'},
-    LessonControlRow{LessonControl::Ks, 's', "ks"},
-    LessonControlRow{LessonControl::N, 'n', "n"},
-    LessonControlRow{LessonControl::Shades, 'c', "shades", 'x'},
-    LessonControlRow{LessonControl::I0, 'o', "I0"},
-    LessonControlRow{LessonControl::Light, 'l', "light"},
-    LessonControlRow{LessonControl::Turn, 't', "turn"},
-    LessonControlRow{LessonControl::Zoom, 'z', "zoom"},
-    LessonControlRow{LessonControl::Shading, 'S', "shading"},
-    LessonControlRow{LessonControl::Normals, 'N', "normals"},
-    LessonControlRow{LessonControl::Order, 'O', "order"},
-    LessonControlRow{LessonControl::Projection, 'P', "projection"},
-    LessonControlRow{LessonControl::Table, 'T', "table"},
-    LessonControlRow{LessonControl::Hue, 'H', "hue"},
-    LessonControlRow{LessonControl::Bits, 'B', "bits"},
-    LessonControlRow{LessonControl::Pick, 'J', "nearest"},
-    LessonControlRow{LessonControl::ConstantL, 'L', "L constant"},
-    LessonControlRow{LessonControl::ConstantV, 'V', "V constant"},
-    LessonControlRow{LessonControl::Names, 'M', "names"},
-    LessonControlRow{LessonControl::Wrong, 'W', "wrong"},
-    LessonControlRow{LessonControl::Event, 'v', "event"},
-    LessonControlRow{LessonControl::Rotate, 'm', "rotate"},
-    LessonControlRow{LessonControl::Gamma, 'g', "gamma"},
-};
-[[nodiscard]] constexpr const LessonControlRow& rowOf(LessonControl control) {
-  return kLessonControls[static_cast<std::size_t>(control)];
-}
+[[nodiscard]] const std::vector<LessonControl>& lessonControls();
 
 struct LessonAnswer {
   std::string text;
@@ -107,7 +49,7 @@ struct LessonStep {
   std::string heading;
   std::vector<std::string> caption;  ///< paragraphs
   Exhibit exhibit;
-  std::vector<LessonControl> controls;
+  std::vector<char> controls;  ///< their keys
   std::optional<LessonQuestion> question;
 };
 struct Lesson {

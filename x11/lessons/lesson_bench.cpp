@@ -259,9 +259,8 @@ void LessonBench::drawStep(Painter paint, const Desk& desk) {
   page_ = pageOf(desk, lowerImage);
   at_ = layoutOfLesson(columnOf(desk.layout), page_, rows(), list_, compact);
   placeButtons();
-  if (std::ranges::find(now().controls, LessonControl::Turn) != now().controls.end())
-    list_.place({rowOf(LessonControl::Turn).key},
-                {.area = at.picture, .grip = at.picture, .bare = true, .passive = true});
+  if (std::ranges::find(now().controls, 't') != now().controls.end())
+    list_.place({'t'}, {.area = at.picture, .grip = at.picture, .bare = true, .passive = true});
   Pen pen{paint, desk.plan};
   drawLessonPage(pen, at_, page_);
 }

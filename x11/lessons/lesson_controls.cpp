@@ -12,25 +12,6 @@ namespace {
 
 using Kind = Control::Kind;
 
-/// Words that differ from those of the views, where there are any.
-struct WordsRow {
-  LessonControl id;
-  std::string_view label, is, words;
-};
-constexpr std::array kWords{
-    WordsRow{LessonControl::Light, "light", "turn the light with the arrows", ""},
-    WordsRow{LessonControl::Turn, "turn", "turn the scene with the arrows", "arrows, or drag the picture"},
-    WordsRow{LessonControl::Zoom, "zoom", "come nearer or go away with the arrows", "arrows up and down"},
-    WordsRow{LessonControl::Pick, "nearest", "", ""},
-    WordsRow{LessonControl::ConstantL, "L const.", "", "the light is far away"},
-    WordsRow{LessonControl::ConstantV, "V const.", "", "the viewer is far away"},
-    WordsRow{LessonControl::Names, "names", "", "name the polygons"},
-    WordsRow{LessonControl::Wrong, "wrong", "", "mark them in the picture"},
-    WordsRow{LessonControl::Event, "step", "go through the run with the arrows", ""},
-    WordsRow{LessonControl::Rotate, "rotate", "", "move the ramp through its cells"},
-    WordsRow{LessonControl::Gamma, "gamma", "", ""},
-};
-
 Control toggle(bool& on, LessonState& state) {
   return {.kind = Kind::Toggle, .value = on ? 1.0 : 0.0, .set = [&](double value) {
             on = value != 0;
@@ -60,51 +41,52 @@ Control eventControl(LessonState& state) {
           .move = [&state, go](int along, int up) { go(state.event + along + up); }};
 }
 
-Control plainControl(const LessonControlRow& row, LessonState& state, Host& host, double aspect) {
+Control plainControl(char key, LessonState& state, Host& host, double aspect) {
   const ChangeSetup change = [&host](char control, const auto& edit) { host.change(control, edit); };
   const Scene& scene = *state.exhibit.scene;
   const Subject subject{scene, centreOf(scene), aspect};
-  switch (row.id) {
-    case LessonControl::Names:
+  switch (key) {
+    case 'M':
       return toggle(state.exhibit.named, state);
-    case LessonControl::Wrong:
+    case 'W':
       return toggle(state.exhibit.wrongMarked, state);
-    case LessonControl::Rotate:
+    case 'm':
       return rotateControl(state);
-    case LessonControl::Event:
+    case 'v':
       return eventControl(state);
-    case LessonControl::Gamma:
+    case 'g':
       return gammaControl(state.exhibit.effects.gamma, [&state](double gamma) {
         state.exhibit.effects.gamma = gamma;
         state.late = true;
       });
-    case LessonControl::Light:
+    case 'l':
       return lightControl(host.setup(), subject, change);
-    case LessonControl::Turn:
-    case LessonControl::Zoom: {
+    case 't':
+    case 'z': {
       const Controls camera = cameraControls(host.setup(), subject, change);
-      return *std::ranges::find(camera, row.key, &Control::key);
+      return *std::ranges::find(camera, key, &Control::key);
     }
     default:
-      return settingControl(row.key, host.setup(), host.defaults(), change);
+      return settingControl(key, host.setup(), host.defaults(), change);
   }
 }
+
+/// The key in a step where `key` chooses an answer, `a` to `d`.
+char spareOf(char key) { return key == 'a' ? 'k' : key == 'c' ? 'x' : key == 'd' ? 'f' : key; }
 
 }  // namespace
 
 Controls stepControls(const LessonStep& step, LessonState& state, Host& host, double aspect) {
   const std::size_t answers = step.question ? step.question->answers.size() : 0;
   Controls all;
-  for (const LessonControl id : step.controls) {
-    const LessonControlRow& row = rowOf(id);
-    Control control = plainControl(row, state, host, aspect);
-    const bool answer = row.spare != 0 && static_cast<std::size_t>(row.key - 'a') < answers;
-    control.key = answer ? row.spare : row.key;
-    if (const auto* const words = std::ranges::find(kWords, id, &WordsRow::id); words != kWords.end()) {
-      control.label = words->label;
-      if (!words->is.empty()) control.is = words->is;
-      if (!words->words.empty()) control.words = words->words;
-    }
+  for (const char key : step.controls) {
+    const LessonControl& row = *std::ranges::find(lessonControls(), key, &LessonControl::id);
+    Control control = plainControl(key, state, host, aspect);
+    const bool answer = key >= 'a' && static_cast<std::size_t>(key - 'a') < answers;
+    control.key = answer ? spareOf(key) : key;
+    control.label = row.label;
+    if (!row.is.empty()) control.is = row.is;
+    if (!row.words.empty()) control.words = row.words;
     all.push_back(std::move(control));
   }
   return all;

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+
 #include "x11/options/option_reader.h"
 
 namespace xnewell {
@@ -47,8 +50,8 @@ void addCamera(Reader& r, CameraSettings& camera) {
            camera.parallel = true;
          });
   r.text("--oblique", "oblique projection: cavalier or cabinet, optionally followed by :ANGLE", "angle 45",
-         [&](const std::string& text) { camera.oblique = parseOblique(text); });
-  r.proposes("--oblique", kObliques);
+         [&](const std::string& text) { camera.oblique = parseOblique(text); })
+      .proposes(kObliques);
   r.point("--vrp", "the textbook's view reference point", "the look-at point",
           [&](glm::dvec3 p) { camera.vrp = p; });
   r.point("--vpn", "view plane normal", "from the reference point to the eye",
@@ -79,7 +82,9 @@ void addEffects(Reader& r, Options& o) {
     return static_cast<int>(v);
   };
   r.text("--cell", "the cell that --view colours inspects", "the middle one of the cells that polygons use",
-         [&o, cell](const std::string& s) { o.window.cell = cell("--cell", s); });
+         [&o, cell](const std::string& s) { o.window.cell = cell("--cell", s); })
+      .only({"--view colours"});
+  const auto drawn = {std::string_view{"draw"}, std::string_view{"snapshot"}};
   std::string tables;
   for (const TableRow& row : kTables) tables += (tables.empty() ? "" : ", ") + std::string{row.name};
   r.text("--store", "keep the indices that --table picks, but store the colours of this table: " + tables, "",
@@ -87,21 +92,27 @@ void addEffects(Reader& r, Options& o) {
            const auto row = std::ranges::find(kTables, s, &TableRow::name);
            if (row == kTables.end()) refuse("--store", s, "one of " + tables);
            o.effects.stored = row->id;
-         });
-  r.proposes("--store", kTables);
-  r.number("--turn", o.effects.hueTurn, -360, 360, "turn the hue of all stored colours by degrees");
+         })
+      .proposes(kTables)
+      .only(drawn);
+  r.number("--turn", o.effects.hueTurn, -360, 360, "turn the hue of all stored colours by degrees")
+      .only(drawn);
   r.number("--gamma", o.effects.gamma, kLeastGamma, kMostGamma,
-           "store v^(1/gamma) for v, for a screen that shows v^gamma");
+           "store v^(1/gamma) for v, for a screen that shows v^gamma")
+      .only(drawn);
   r.text("--bend", "CELL,VALUE: bend the curve of stored values so that this cell holds VALUE of 255", "",
          [&o, cell](const std::string& s) {
            const std::string expected = "CELL,VALUE with a value from 0 to 255";
            const auto v = numbers("--bend", s, 2, expected);
            if (v[1] < 0 || v[1] > 255) refuse("--bend", s, expected);
            o.effects.bend = CurvePoint{cell("--bend", s.substr(0, s.find(','))), v[1]};
-         });
-  r.number("--rotate", o.effects.rotate, -255, 255, "move the stored colours up the ramp by this many cells");
+         })
+      .only(drawn);
+  r.number("--rotate", o.effects.rotate, -255, 255, "move the stored colours up the ramp by this many cells")
+      .only(drawn);
   r.text("--lit", "store yellow in this cell, to show which polygons have this shade", "",
-         [&o, cell](const std::string& s) { o.effects.lit = cell("--lit", s); });
+         [&o, cell](const std::string& s) { o.effects.lit = cell("--lit", s); })
+      .only(drawn);
 }
 
 }  // namespace xnewell

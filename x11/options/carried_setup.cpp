@@ -146,11 +146,11 @@ CarriedSetup readCarriedSetup(const std::string& file) {
   return carried;
 }
 
-std::vector<std::string> argumentsFor(const Options& said, const CarriedSetup& carried) {
-  const Command command = said.command;
+std::vector<std::string> argumentsFor(Command command, const std::set<std::string>& said,
+                                      const CarriedSetup& carried) {
   const bool window = command == Command::View, snapshot = command == Command::Snapshot;
   const bool shows = window || snapshot || command == Command::Draw;
-  const bool whole = window || said.wholeWindow || (snapshot && carried.wholeWindow);
+  const bool whole = window || said.contains("--whole-window") || (snapshot && carried.wholeWindow);
   const auto fits = [&](string_view name) {
     if (carried.lesson) return true;
     if (name == "--fill") return window || snapshot;
@@ -162,19 +162,21 @@ std::vector<std::string> argumentsFor(const Options& said, const CarriedSetup& c
     if (name == "--whole-window") return snapshot;
     if (name == "--order") return command != Command::Trace;  // it follows its own
     if (name == "--scale") return whole;
-    if (isOneOf(name, kOfWindow)) return whole && !said.gave("--view");
+    if (isOneOf(name, kOfWindow)) return whole && !said.contains("--view");
     if (name == "--scanline" || name == "--cell")
-      return shows && !said.gave("--view") && whole == carried.wholeWindow;
-    if (isOneOf(name, kOfDrawing)) return shows && !whole && !said.gave("--view");
+      return shows && !said.contains("--view") && whole == carried.wholeWindow;
+    if (isOneOf(name, kOfDrawing)) return shows && !whole && !said.contains("--view");
     return true;
   };
-  const auto replaced = [&](string_view name) {
-    return said.gave(name) || (name == "--light" && said.gave("--light-at")) ||
-           (name == "--light-at" && said.gave("--light"));
+  const auto replaced = [&](const std::string& name) {
+    const Setting* const setting = settingOf(name);
+    return said.contains(name) || (setting && said.contains(std::string{setting->alias})) ||
+           (name == "--light" && said.contains("--light-at")) ||
+           (name == "--light-at" && said.contains("--light"));
   };
   std::vector<std::string> arguments;
   for (const std::string& argument : carried.arguments)
-    if (fits(nameOf(argument)) && !replaced(nameOf(argument))) arguments.push_back(argument);
+    if (fits(nameOf(argument)) && !replaced(std::string{nameOf(argument)})) arguments.push_back(argument);
   return arguments;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,7 +43,9 @@ struct CarriedSetup {
 /// True if the name of a scene is that of a picture or a figure.
 [[nodiscard]] bool isPicture(const std::string& scene);
 
-/// The arguments that make sense for the command of `said`, which is what the user gave beside the picture.
-[[nodiscard]] std::vector<std::string> argumentsFor(const Options& said, const CarriedSetup& carried);
+/// The arguments that make sense for a command. `said` are the names of what the user gave beside the
+/// picture.
+[[nodiscard]] std::vector<std::string> argumentsFor(Command command, const std::set<std::string>& said,
+                                                    const CarriedSetup& carried);
 
 }  // namespace xnewell

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,15 +27,29 @@ inline constexpr auto kSceneFiles = [] {
 /// What follows an option.
 enum class Takes { Nothing, Text, File, Folder };
 struct OptionRow {
-  std::string name, letter;  ///< "--output", and "-o" or ""
+  std::string name, letter;  ///< "--output", and "-o" or ""; "scene": a word that has no option
   std::string does;          ///< the default at its end in [ ]
   Takes takes = Takes::Nothing;
+  std::function<void(const std::string&)> take =
+      {};                               ///< reads its text; a flag's is "true", or what follows =
+  bool mayLack = false;                 ///< the text may be left out: then it is ""
   std::vector<std::string> words = {};  ///< the words that its text may be, or may begin with; else empty
   /// Where it works: a command, "draw"; another option, "--accuracy", or its value, "--view colours"; or
   /// both, "trace --frames". Empty: with all commands that draw a scene (CommandRow::draws).
   std::vector<std::string_view> places = {};
+
+  [[nodiscard]] bool isOption() const { return name.starts_with("--"); }
   /// The name in messages: "-o", "--size".
   [[nodiscard]] const std::string& shown() const { return letter.empty() ? name : letter; }
+  OptionRow& only(std::initializer_list<std::string_view> where) {
+    places = where;
+    return *this;
+  }
+  /// Its text may be the name of one of these rows.
+  OptionRow& proposes(const auto& rows) {
+    for (const auto& row : rows) words.emplace_back(row.name);
+    return *this;
+  }
 };
 /// In the order of --help.
 [[nodiscard]] std::vector<OptionRow> optionRows();

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -64,27 +66,25 @@ Command takeCommand(std::vector<std::string>& arguments) {
 
 /// Says in our words what CLI11 found wrong. Only the `last` argument can lack a value: another one takes
 /// what follows it.
-[[noreturn]] void complain(const CLI::App& app, const Options& o, const CLI::ParseError& e,
-                           const std::string& last) {
-  if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
+[[noreturn]] void complain(const CLI::App& app, Command command, int code, const std::string& last) {
+  if (code == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
     std::vector<std::string> extra = app.remaining();
     std::erase(extra, "--");
     const bool option = extra.front().starts_with('-');
-    const bool meansScene = o.command != Command::Lesson && o.command != Command::Lecture;
-    if (!option && meansScene && !isBuiltIn(o.scene) && !std::filesystem::exists(o.scene))
-      throw UsageError{inQuotes(o.scene) +
+    const bool meansScene = command != Command::Lesson && command != Command::Lecture;
+    const CLI::Option* const words = app.get_option("scene");
+    const std::string scene = words->count() > 0 ? words->results().front() : Options{}.scene;
+    if (!option && meansScene && !isBuiltIn(scene) && !std::filesystem::exists(scene))
+      throw UsageError{inQuotes(scene) +
                        ": not a command, a built-in scene or a file; `xnewell --help` lists the commands"};
     throw UsageError{(option ? "unknown option " : "unexpected argument: ") + inQuotes(extra.front())};
   }
-  for (const CLI::Option* option : app.get_options()) {
-    const std::string name = option->get_name();
+  for (const CLI::Option* option : app.get_options())
     if (option->count() > 1 && option->get_items_expected_max() > 0)
-      throw UsageError{name + " is given more than once"};
-  }
-  if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::ArgumentMismatch))
-    if (const CLI::Option* const option = app.get_option_no_throw(last.substr(0, last.find('='))))
-      throw UsageError{option->get_name() + " needs a value"};
-  throw UsageError{e.what()};
+      throw UsageError{option->get_name() + " is given more than once"};
+  if (const CLI::Option* const option = app.get_option_no_throw(last.substr(0, last.find('='))))
+    throw UsageError{option->get_name() + " needs a value"};
+  throw UsageError{inQuotes(last) + " ends no command"};
 }
 
 /// ".obj, .ply, .off"
@@ -125,42 +125,39 @@ std::string strippable() {
   return all;
 }
 
-/// Adds all options, in the order of --help. The reader writes what they say into `o`.
-void addOptions(CLI::App& app, Reader& r, Options& o) {
-  app.set_help_flag("-h,--help", "print this help");
-  app.set_version_flag("--version", "xnewell " XNEWELL_VERSION, "print the version");
-  app.add_option_function<std::string>(
-         "scene", [&](const std::string& s) { o.scene = s; }, "SCENE [teapot, in a window only]")
-      ->type_name("");
+/// All options, in the order of --help. They write what they say into `o`.
+std::vector<OptionRow> rowsFor(Options& o) {
+  Reader r;
+  r.flag("--help", "print this help", [] {}).letter = "-h";
+  r.flag("--version", "print the version", [] {});
+  r.text("scene", "SCENE [teapot, in a window only]", "", [&](const std::string& s) { o.scene = s; });
   if (o.command == Command::Explain)
-    app.add_option_function<std::string>(
-           "explained",
-           [&](const std::string& s) {
-             if (o.scene.find_first_not_of("0123456789,") == o.scene.npos &&
-                 o.scene.find(',') != o.scene.npos)
-               throw UsageError{"the scene comes first: xnewell explain " + s + ' ' + o.scene};
-             o.pixel = pixelOf("X,Y", s);
-           },
-           "X,Y, a pixel of the picture")
-        ->type_name("");
+    r.text("explained", "X,Y, a pixel of the picture", "", [&](const std::string& s) {
+      if (o.scene.find_first_not_of("0123456789,") == o.scene.npos && o.scene.find(',') != o.scene.npos)
+        throw UsageError{"the scene comes first: xnewell explain " + s + ' ' + o.scene};
+      o.pixel = pixelOf("X,Y", s);
+    });
   if (const std::string_view what = rowOf(o.command).takes; !what.empty())
-    app.add_option_function<std::string>(
-           "handed-in", [&](const std::string& s) { o.handedIn = s; }, std::string{what})
-        ->type_name("");
-  r.text("-o,--output",
-         "the PNG file to write; figure: an SVG, PDF or EPS file, by the end of its name; judge: a scene "
-         "file; grade: a CSV file",
-         "", [&](const std::string& s) { o.output = s; });
-  r.takes("--output", Takes::File);
+    r.text("handed-in", std::string{what}, "", [&](const std::string& s) { o.handedIn = s; });
+  OptionRow& output =
+      r.text("--output",
+             "the PNG file to write; figure: an SVG, PDF or EPS file, by the end of its name; judge: a scene "
+             "file; grade: a CSV file",
+             "", [&](const std::string& s) { o.output = s; })
+          .only({"draw", "snapshot", "figure", "trade", "extremes", "diagnose", "judge", "grade"});
+  output.letter = "-o", output.takes = Takes::File;
   r.text("--size",
          "picture or window size WxH, at most 8192x8192; diagnose, judge and grade: that of what is handed "
          "in, if it is not given",
          "800x600, a window 1024x768 times --scale, extremes 160x120",
-         [&](const std::string& s) { o.size = parseSize(s); });
+         [&](const std::string& s) { o.size = parseSize(s); })
+      .only({"view", "draw", "snapshot", "figure", "explain", "trace", "trade", "extremes", "diagnose",
+             "judge", "grade", "questions", "lesson", "lecture"});
   r.number("--scale", o.scale, 1, kMostScale,
            "how many times as large the window's letters, lines and controls are; the picture keeps its own "
            "pixels. For the window, and for pictures of it. Without it, the screen decides for the window",
-           "", "; the letters are made of pixels, and a part of a pixel cannot be drawn");
+           "", "; the letters are made of pixels, and a part of a pixel cannot be drawn")
+      .only({"view", "lesson", "lecture", "--whole-window"});
   r.number("--divisions", o.divisions, 1, kMaxDivisions,
            "each Bezier patch becomes N x N polygons, unless the scene file gives the number");
   for (const Setting& row : settingRows()) r.setting(row, o.overrides);
@@ -174,172 +171,193 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
          });
   r.number("--max-fragments", o.picture.mostPieces, 1, 1'000'000'000,
            "how many pieces the depth sort and the BSP tree make before they give up");
-  r.flag("--half-vector", o.halfVector, "the same as --form half-vector");
+  for (const Setting& row : settingRows())
+    if (!row.alias.empty()) r.alias(row, o.overrides);
   r.named("--texture", o.texture, "file", "a PNG for the diffuse colour of all surfaces");
   addCamera(r, o.picture.camera);
-  r.named("--visual", o.visual, "visual", "use this visual or fail, for example PseudoColor8 or TrueColor24");
+  r.named("--visual", o.visual, "visual", "use this visual or fail, for example PseudoColor8 or TrueColor24")
+      .only({"view", "snapshot", "lesson", "lecture", "visuals"});
   r.choice("--colormap", kMapOwners, o.colormap,
-           "a colormap of its own, or as many cells of the default colormap as are free");
+           "a colormap of its own, or as many cells of the default colormap as are free")
+      .only({"view", "snapshot", "lesson", "lecture", "visuals"});
   r.flag("--nearest", o.nearest,
-         "show a colour that the server lacks as the nearest one it has, without mixing");
+         "show a colour that the server lacks as the nearest one it has, without mixing")
+      .only({"view", "snapshot", "lesson", "lecture", "visuals"});
   addView(r, o);
   addEffects(r, o);
   r.named("--ids", o.ids, "file",
           "also write the face image: 8-bit RGB, face number + 1, 0 where there is no face; figure: also "
           "write the "
-          "figure in these colours");
-  const auto color = [&r](const char* name, auto& of, const char* does, const char* usual) {
-    r.text(name, does, usual, [name, &of](const std::string& s) {
+          "figure in these colours")
+      .only({"draw", "snapshot", "figure"});
+  const auto color = [&r](const char* name, auto& of, const char* does, const char* usual) -> OptionRow& {
+    return r.text(name, does, usual, [name, &of](const std::string& s) {
       if (s.size() != 7 || s[0] != '#' || s.find_first_not_of("0123456789abcdefABCDEF", 1) != s.npos)
         refuse(name, s, "#rrggbb, a colour by six hexadecimal digits");
       const int rgb = std::stoi(s.substr(1), nullptr, 16);
       of = glm::dvec3{rgb >> 16, rgb >> 8 & 255, rgb & 255} / 255.0;
     });
   };
-  color("--paper", o.paper, "figure: the colour behind it, such as #ffffff", "none, so that the page shows");
+  color("--paper", o.paper, "figure: the colour behind it, such as #ffffff", "none, so that the page shows")
+      .only({"figure"});
   r.choice("--edges", kModelEdges, o.edges,
-           "the edges of the model's faces as lines, in front or all; hidden ones are dashed");
-  color("--edge-color", o.edgeColor, "the colour of the edges, such as #808080", "#000000");
+           "the edges of the model's faces as lines, in front or all; hidden ones are dashed")
+      .only({"view", "draw", "snapshot", "figure"});
+  color("--edge-color", o.edgeColor, "the colour of the edges, such as #808080", "#000000")
+      .only({"view", "draw", "snapshot", "figure"});
   r.flag("--smooth", o.smooth,
          "figure, PDF: Gouraud shading as triangles with a colour at each corner, which the reader "
-         "interpolates; the file is small, and the shades have no borders");
+         "interpolates; the file is small, and the shades have no borders")
+      .only({"figure"});
   r.number(
-      "--tolerance", o.tolerance, 0, 64,
-      "figure: how far colours that change over a face may be off, in steps of 1/255; more makes smaller "
-      "files");
+       "--tolerance", o.tolerance, 0, 64,
+       "figure: how far colours that change over a face may be off, in steps of 1/255; more makes smaller "
+       "files")
+      .only({"figure"});
   r.flag("--bare", o.bare,
          "the file carries no set-up, so that two files of the same pixels are the same, however they were "
-         "drawn");
+         "drawn")
+      .only({"draw", "snapshot", "figure"});
   r.flag("--stats", o.stats,
          "print counts and times as one JSON object; `saturated` counts intensities above 1 at faces "
-         "(flat), at vertices (gouraud), or at pixels each time they are painted (phong, envmap, textures)");
+         "(flat), at vertices (gouraud), or at pixels each time they are painted (phong, envmap, textures)")
+      .only({"draw", "snapshot", "figure"});
   r.flag("--errors", o.errors,
          "print --stats with the errors of the picture: how far it is from a reference without short cuts, "
-         "and where; with figure, how far the areas are from the picture and from that reference");
+         "and where; with figure, how far the areas are from the picture and from that reference")
+      .only({"draw", "snapshot", "figure"});
   r.flag("--costs", o.costs,
          "print --stats with the milliseconds that each required item costs; this makes the picture again, "
-         "with and without each, for some seconds");
+         "with and without each, for some seconds")
+      .only({"draw", "snapshot"});
   r.text(
-      "--accuracy",
-      "RMS[,WRONG], window, draw, snapshot: measure a trade first, and take the cheapest point of its front "
-      "that is off by no more than this intensity (root mean square), and shows a wrong face at no more "
-      "samples than WRONG; without WRONG their number does not count. Options that you give stay",
-      "", [&](const std::string& s) { o.accuracy = parseAccuracy(s); });
+       "--accuracy",
+       "RMS[,WRONG], window, draw, snapshot: measure a trade first, and take the cheapest point of its front "
+       "that is off by no more than this intensity (root mean square), and shows a wrong face at no more "
+       "samples than WRONG; without WRONG their number does not count. Options that you give stay",
+       "", [&](const std::string& s) { o.accuracy = parseAccuracy(s); })
+      .only({"view", "draw", "snapshot"});
   r.flag(
-      "--json", o.json,
-      "explain, trade, extremes, diagnose, judge: print all numbers as one JSON object instead of the text");
+       "--json", o.json,
+       "explain, trade, extremes, diagnose, judge: print all numbers as one JSON object instead of the text")
+      .only({"explain", "trade", "extremes", "diagnose", "judge"});
   r.text("--axes", "trade: only these short cuts, named as their options: shade,order,divisions",
-         "all that have an effect", [&](const std::string& s) {
+         "all that have an effect",
+         [&](const std::string& s) {
            o.trade.axes = commaWords(s);
            if (o.trade.axes.empty()) refuse("--axes", s, "names of options, with commas between them");
-         });
+         })
+      .only({"trade"});
   r.text("--without", "trade: values to leave out, for example order=none,shade=depth", "",
-         [&](const std::string& s) { o.trade.without = commaWords(s); });
+         [&](const std::string& s) { o.trade.without = commaWords(s); })
+      .only({"trade"});
   r.number("--budget", o.trade.seconds, 1, 3600,
            "about how many seconds of the processor's time to measure, at most",
-           "trade " + textOf(TradeRequest{}.seconds) + ", --accuracy " + textOf(kAccuracySeconds));
+           "trade " + textOf(TradeRequest{}.seconds) + ", --accuracy " + textOf(kAccuracySeconds))
+      .only({"trade", "--accuracy"});
   r.named("--run", o.run, "file",
-          "judge: the steps of a depth sort, as xnewell_run.h or trace writes them, in place of an order");
+          "judge: the steps of a depth sort, as xnewell_run.h or trace writes them, in place of an order")
+      .only({"judge"});
   r.flag("--whole-window", o.wholeWindow,
-         "snapshot: the window with all its controls; trace --frames: with the stepper at each step");
+         "snapshot: the window with all its controls; trace --frames: with the stepper at each step")
+      .only({"snapshot", "trace --frames"});
   r.flag("--quick", o.quick,
          "trace: follow the accelerated run; the steps of the textbook's run grow with the square of the "
-         "polygons");
-  r.named(
-      "--frames", o.frames, "folder",
-      "trace: write numbered pictures into this folder instead of lines; it must not hold any frames yet");
-  r.choice("--every", kEvery, o.every, "trace: the steps that --frames draws");
+         "polygons")
+      .only({"trace"});
+  r.named("--frames", o.frames, "folder",
+          "trace: write numbered pictures into this folder instead of lines; it must not hold any frames yet")
+      .only({"trace", "lesson"});
+  r.choice("--every", kEvery, o.every, "trace: the steps that --frames draws").only({"trace --frames"});
   r.named("--answers", o.answers, "file",
-          "lesson, lecture: keep what is answered in this JSON file, beside what it has");
+          "lesson, lecture: keep what is answered in this JSON file, beside what it has")
+      .only({"lesson", "lecture"});
   r.named("--worksheet", o.worksheet, "file",
           "lesson: write an HTML file to print, with pictures, questions, room to write, and solutions at "
-          "the end");
+          "the end")
+      .only({"lesson"});
   r.text("--scene-for",
          "A,B, diagnose: name the scene, the settings and the pixel that tell these two mistakes apart best, "
          "in place of a picture",
-         "", [&](const std::string& s) {
+         "",
+         [&](const std::string& s) {
            if (s.empty()) refuse("--scene-for", s, "two mistakes, such as RV-abs,RV-unclamped");
            o.sceneFor = s;
-         });
-  r.named("--page", o.page, "file", "grade: also write an HTML file with the pictures in it");
-  r.number("--count", o.questions, 1, 10'000, "questions: how many");
-  r.number("--seed", o.seed, 0, 1'000'000'000, "questions: another number gives other questions");
-  r.named("--gift", o.gift, "file", "questions: also write a file that Moodle imports, in its GIFT format");
+         })
+      .only({"diagnose"});
+  r.named("--page", o.page, "file", "grade: also write an HTML file with the pictures in it").only({"grade"});
+  r.number("--count", o.questions, 1, 10'000, "questions: how many").only({"questions"});
+  r.number("--seed", o.seed, 0, 1'000'000'000, "questions: another number gives other questions")
+      .only({"questions"});
+  r.named("--gift", o.gift, "file", "questions: also write a file that Moodle imports, in its GIFT format")
+      .only({"questions"});
   r.number(
-      "--play", o.play, 0.5, 3600,
-      "lecture: seconds without a key or click until a page turns by itself; after the last comes the first",
-      "pages wait for a key");
-  addPlaces(r);
+       "--play", o.play, 0.5, 3600,
+       "lecture: seconds without a key or click until a page turns by itself; after the last comes the first",
+       "pages wait for a key")
+      .only({"lecture"});
+  return std::move(r).rows();
 }
 
-}  // namespace
+using Given = std::vector<std::pair<std::string, std::string>>;
 
-std::vector<OptionRow> Reader::rows() const {
-  std::vector<OptionRow> rows;
-  for (const CLI::Option* option : app_.get_options()) {
-    if (option->get_lnames().empty()) continue;  // SCENE
-    OptionRow row{.name = option->get_name(), .letter = {}, .does = option->get_description()};
-    if (!option->get_snames().empty()) row.letter = "-" + option->get_snames().front();
-    if (option->get_items_expected_max() > 0) row.takes = Takes::Text;
-    if (const auto what = takes_.find(row.name); what != takes_.end()) row.takes = what->second;
-    if (const auto words = words_.find(row.name); words != words_.end()) row.words = words->second;
-    if (const auto places = places_.find(row.name); places != places_.end()) row.places = places->second;
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-std::vector<OptionRow> optionRows() {
-  CLI::App app;
-  Options options;
-  Reader reader{app};
-  addOptions(app, reader, options);
-  return reader.rows();
-}
-
-namespace {
-
-/// Reads arguments into `o`, over what is there. Returns false if it printed --help or --version.
-bool parse(std::vector<std::string> arguments, Options& o) {
+/// Splits arguments into options and words without one, each with its text, in their order. Returns nothing
+/// if it printed --help or --version. Nothing but this, complain() and Help knows of CLI11.
+std::optional<Given> split(const std::vector<OptionRow>& rows, std::vector<std::string> arguments,
+                           Command command) {
   CLI::App app{"xnewell: " + std::string{kAbout}};
   app.formatter(std::make_shared<Help>());
   app.footer("In the window, `?` shows all keys.\nExit status: " + exitStatuses() + ".");
-  Reader reader{app};
-  addOptions(app, reader, o);
+  app.set_help_flag();
+  for (const OptionRow& row : rows) {
+    const std::string names = (row.letter.empty() ? "" : row.letter + ',') + row.name;
+    if (row.takes == Takes::Nothing)
+      app.add_flag(names, row.does)->take_last();
+    else
+      app.add_option(names, row.does)->expected(row.mayLack ? 0 : 1, 1);
+  }
   const std::string last = arguments.empty() ? "" : arguments.back();
+  const auto asks = [&](const char* option) { return app.count(option) > 0; };
   try {
     std::ranges::reverse(arguments);  // CLI11 takes them in reverse order
     app.parse(arguments);
-  } catch (const CLI::CallForHelp&) {
-    std::cout << app.help();
-    return false;
-  } catch (const CLI::CallForVersion& version) {
-    std::cout << version.what() << '\n';
-    return false;
   } catch (const CLI::ParseError& e) {
-    complain(app, o, e, last);
+    if (!asks("--help") && !asks("--version")) complain(app, command, e.get_exit_code(), last);
   }
-  for (const CLI::Option* option : app.parse_order()) {
-    o.given.push_back(option->get_name());
-    o.values.push_back(option->get_items_expected_max() == 0 ? "" : option->results().back());
+  if (asks("--help") || asks("--version")) {
+    std::cout << (asks("--help") ? app.help() : "xnewell " XNEWELL_VERSION "\n");
+    return std::nullopt;
   }
-  o.stats = o.stats || o.errors || o.costs;
-  return true;
+  Given given;
+  for (const CLI::Option* option : app.parse_order())
+    given.emplace_back(option->get_name(), option->results().back());
+  return given;
 }
 
-/// The set-up that a picture carries, and over it what the user `said` in these arguments.
-Options withCarried(Options o, const Options& said, const CarriedSetup& carried,
-                    const std::vector<std::string>& arguments) {
-  (void)parse(argumentsFor(said, carried), o);
-  o.carried = o.given;
-  const CameraSettings camera = std::exchange(o.picture.camera, {});
-  (void)parse(arguments, o);
-  o.picture.camera = completed(o.picture.camera, camera);
-  o.scene = carried.scene;
-  return o;
+/// Takes what was given, in the order of the rows, and puts it on the lists of what was given.
+void take(const std::vector<OptionRow>& rows, const Given& given, Options& o) {
+  for (const auto& [name, text] : given) o.given.push_back(name), o.values.push_back(text);
+  for (const OptionRow& row : rows)
+    for (const auto& [name, text] : given)
+      if (name == row.name) row.take(text);
+  o.stats = o.stats || o.errors || o.costs;
+}
+
+/// Complaints about what a picture carries begin with its name.
+void blaming(const std::string& carrier, const auto& act) try { act(); } catch (const UsageError& e) {
+  if (carrier.empty()) throw;
+  throw UsageError{carrier + ": " + e.what()};
 }
 
 }  // namespace
+
+std::vector<OptionRow> optionRows() {
+  Options options;
+  std::vector<OptionRow> rows = rowsFor(options);
+  std::erase_if(rows, [](const OptionRow& row) { return !row.isOption(); });
+  for (OptionRow& row : rows) row.take = {};
+  return rows;
+}
 
 std::optional<Options> parseOptions(int argc, const char* const* argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
@@ -347,29 +365,38 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   const std::size_t words = arguments.size();
   o.command = takeCommand(arguments);
   o.commandMeant = !arguments.empty() && arguments.size() == words && !arguments.front().starts_with('-');
+  const std::vector<OptionRow> rows = rowsFor(o);
+  const std::optional<Given> said = split(rows, std::move(arguments), o.command);
+  if (!said) return std::nullopt;
 
-  Options said = o;
-  if (!parse(arguments, said)) return std::nullopt;
-  if (!rowOf(o.command).draws || !isPicture(said.scene)) {
-    checkUsage(said, optionRows());
-    return said;
+  const auto scene = std::ranges::find(*said, "scene", &Given::value_type::first);
+  CarriedSetup carried;
+  CameraSettings carriedCamera;
+  if (rowOf(o.command).draws && scene != said->end() && isPicture(scene->second)) {
+    o.carrier = scene->second;
+    carried = readCarriedSetup(o.carrier);
+    blaming(o.carrier, [&] {
+      if (carried.lesson && o.command != Command::View)
+        throw UsageError{"it shows a lesson, which opens in a window: xnewell " + xnewell::quoted(o.carrier)};
+      if (carried.lesson) o.command = Command::Lesson, o.commandMeant = false;
+      std::set<std::string> names;
+      for (const auto& [name, text] : *said) names.insert(name);
+      take(rows, split(rows, argumentsFor(o.command, names, carried), o.command).value(), o);
+    });
+    o.carried = o.given;
+    carriedCamera = std::exchange(o.picture.camera, {});
   }
-  const std::string carrier = said.scene;
-  const CarriedSetup carried = readCarriedSetup(carrier);
-  try {
-    if (carried.lesson && o.command != Command::View)
-      throw UsageError{"it shows a lesson, which opens in a window: xnewell " + quoted(carrier)};
-    if (carried.lesson) {
-      o.command = said.command = Command::Lesson;
-      o.commandMeant = false;
-    }
-    o = withCarried(std::move(o), said, carried, arguments);
-    o.carrier = carrier;
-    checkUsage(o, optionRows());
-  } catch (const UsageError& e) {
-    throw UsageError{carrier + ": " + e.what()};
+  take(rows, *said, o);
+  if (!o.carrier.empty()) {
+    o.picture.camera = completed(o.picture.camera, carriedCamera);
+    o.scene = carried.scene;
   }
+  blaming(o.carrier, [&] { checkUsage(o, rows); });
   return o;
+}
+
+void settle(Options& o, const PictureSettings& scene) {
+  blaming(o.carrier, [&] { settleOver(o, scene); });
 }
 
 }  // namespace xnewell

@@ -42,44 +42,60 @@ enum class Command {
   Keys,
   RunHeader
 };
+/// What a command is, in bits.
+enum : unsigned {
+  kNeedsScene = 1,
+  kPng = 2,    ///< -o names a PNG file
+  kFills = 4,  ///< it has a server, which may fill polygons
+  kPages = 8,  ///< it shows something else than a scene, in a window with room for all controls
+};
 struct CommandRow {
   Command id;
   std::string_view name, usage, does;
-  bool draws = false;           ///< whether it draws a scene as the settings of the command line say
-  std::string_view takes = {};  ///< what it takes after the scene, beside options; "" for nothing
+  bool draws = false;  ///< whether it draws a scene as the settings of the command line say
+  unsigned bits = 0;
+  std::string_view takes = {};   ///< what it takes after the scene, beside options; "" for nothing
+  std::string_view output = {};  ///< what must follow -o; "" if it may be left out
+  [[nodiscard]] constexpr bool is(unsigned bit) const { return (bits & bit) != 0; }
 };
 inline constexpr std::array kCommands{
-    CommandRow{Command::View, "view", "[view] [SCENE] [options]", "a window; the default command", true},
+    CommandRow{Command::View, "view", "[view] [SCENE] [options]", "a window; the default command", true,
+               kFills},
     CommandRow{Command::Draw, "draw", "draw SCENE -o FILE.png [options]", "the picture, without any X server",
-               true},
+               true, kNeedsScene | kPng, "", "FILE.png"},
     CommandRow{Command::Snapshot, "snapshot", "snapshot SCENE -o FILE.png [options]",
-               "the picture through a real X window, read back from the server", true},
+               "the picture through a real X window, read back from the server", true,
+               kNeedsScene | kPng | kFills, "", "FILE.png"},
     CommandRow{Command::Figure, "figure", "figure SCENE -o FILE.svg|.pdf|.eps [options]",
-               "the picture as areas with smooth borders, for paper and for the web", true},
+               "the picture as areas with smooth borders, for paper and for the web", true, kNeedsScene, "",
+               "FILE.svg, FILE.pdf or FILE.eps"},
     CommandRow{Command::Explain, "explain", "explain SCENE X,Y | --viewing [VERTEX]",
-               "why a pixel has its colour; what each viewing matrix does to a vertex and to its light",
-               true},
+               "why a pixel has its colour; what each viewing matrix does to a vertex and to its light", true,
+               kNeedsScene},
     CommandRow{Command::Trace, "trace", "trace SCENE [options]",
-               "the depth sort's events, one JSON object a line, or as pictures", true},
+               "the depth sort's events, one JSON object a line, or as pictures", true, kNeedsScene},
     CommandRow{Command::Trade, "trade", "trade SCENE [-o CHART.png] [--json]",
-               "what each short cut saves on the scene, and the error that it costs", true},
+               "what each short cut saves on the scene, and the error that it costs", true,
+               kNeedsScene | kPng},
     CommandRow{Command::Extremes, "extremes", "extremes SCENE [-o CHART.png] [--json]",
-               "what becomes wrong first when the scene is scaled, moved, flattened ...", true},
+               "what becomes wrong first when the scene is scaled, moved, flattened ...", true,
+               kNeedsScene | kPng},
     CommandRow{Command::Diagnose, "diagnose", "diagnose SCENE PICTURE.png | --scene-for A,B",
                "which mistake the program made that drew the picture; SCENE and options say what is right",
-               true, "PICTURE, a PNG, PPM, BMP or XWD file"},
+               true, kNeedsScene | kPng, "PICTURE, a PNG, PPM, BMP or XWD file"},
     CommandRow{Command::Judge, "judge", "judge SCENE ORDER.jsonl | --run RUN.jsonl [--json]",
                "whether a painting order is right, or each step of a depth sort, and what is wrong first",
-               true, "ORDER, a file of JSON lines"},
+               true, kNeedsScene, "ORDER, a file of JSON lines"},
     CommandRow{Command::Grade, "grade", "grade SCENE FOLDER -o MARKS.csv [options]",
-               "the pictures, painting orders and answers of a class, a row each", true,
-               "FOLDER, what a class has handed in"},
+               "the pictures, painting orders and answers of a class, a row each", true, kNeedsScene,
+               "FOLDER, what a class has handed in", "MARKS.csv"},
     CommandRow{Command::Questions, "questions", "questions SCENE [--count N] [--seed S]",
-               "questions for an exam about a scene, with computed answers", true},
+               "questions for an exam about a scene, with computed answers", true, kNeedsScene},
     CommandRow{Command::Lesson, "lesson", "lesson [NAME] [--frames DIR] [--worksheet FILE]",
-               "a guided lesson in the window, as pictures, or to print; without NAME, the window lists all"},
+               "a guided lesson in the window, as pictures, or to print; without NAME, the window lists all",
+               false, kPages},
     CommandRow{Command::Lecture, "lecture", "lecture NAME [--play SECONDS]",
-               "the pages of a lecture in the window: PgDn and PgUp turn them"},
+               "the pages of a lecture in the window: PgDn and PgUp turn them", false, kPages},
     CommandRow{Command::Visuals, "visuals", "visuals [options]",
                "what this X server offers and what xnewell would choose, and why"},
     CommandRow{Command::Scenes, "scenes", "scenes",
@@ -114,10 +130,9 @@ struct Options {
   std::vector<Override> overrides;  ///< the settings that the command line gives, in its order
   PictureSettings picture;  ///< settle() has these over the scene's own, in the units of the scene's file
   std::vector<std::string> given;    ///< the names of all options on the command line
-  std::vector<std::string> values;   ///< what each of these says; "" for a flag
+  std::vector<std::string> values;   ///< what each of these says; "true" for a flag
   std::vector<std::string> carried;  ///< those of `given` that only the carrier gives
   std::vector<std::string> keep;     ///< of kStrippable: what stays in the scene although options give it
-  bool halfVector = false;           ///< --half-vector; settle() has put it into the light
   std::string texture;               ///< the file's name; "" for none
   Fill fill = Fill::Scanline;
   std::string visual;  ///< the visual's name; "" if the program chooses

@@ -19,6 +19,27 @@ void exclude(bool a, bool b, const std::string& both) {
   if (a && b) throw UsageError{both + " exclude each other"};
 }
 
+/// Options that exclude each other.
+struct Clash {
+  std::string_view a, b, both = {};  ///< `both`: the words for them, if they are not just their names
+};
+constexpr std::array kClashes{
+    Clash{"explained", "--viewing", "a pixel and --viewing"},
+    Clash{"handed-in", "--run", "an order and --run"},
+    Clash{"--output", "--run", "-o and --run"},
+    Clash{"--frames", "--answers"},
+    Clash{"--worksheet", "--answers"},
+    Clash{"--frames", "--step"},
+    Clash{"--worksheet", "--step"},
+    Clash{"--frames", "--worksheet"},
+    Clash{"--accuracy", "--whole-window"},
+    Clash{"--quick", "--whole-window"},
+    Clash{"--scanline", "--quick"},
+    Clash{"--scanline", "--frames"},
+    Clash{"--whole-window", "--ids"},
+    Clash{"--light", "--light-at"},
+};
+
 /// Whether the command line is at a place where an option works (OptionRow::places).
 bool isAt(const Options& o, std::string_view place) {
   std::istringstream words{std::string{place}};
@@ -35,22 +56,20 @@ bool isAt(const Options& o, std::string_view place) {
 
 /// Refuses options where they do not work.
 void checkPlaces(const Options& o, const std::vector<OptionRow>& rows) {
+  const CommandRow& command = rowOf(o.command);
   for (const std::string& given : o.given) {
-    const auto row = std::ranges::find(rows, given, &OptionRow::name);
-    if (row == rows.end()) continue;  // the scene
-    if (row->places.empty()) {
-      if (!rowOf(o.command).draws)
-        throw UsageError{row->shown() + " does not work with " + std::string{rowOf(o.command).name} +
-                         (o.command == Command::Lesson    ? ": the lesson decides how its steps are drawn"
-                          : o.command == Command::Lecture ? ": the lecture decides how its pages are drawn"
-                                                          : ": it draws no scene")};
-      continue;
-    }
-    if (std::ranges::any_of(row->places, [&](std::string_view place) { return isAt(o, place); })) continue;
+    const OptionRow& row = *std::ranges::find(rows, given, &OptionRow::name);
+    if (!row.isOption() || (row.places.empty() && command.draws)) continue;
+    if (row.places.empty())
+      throw UsageError{row.shown() + " does not work with " + std::string{command.name} +
+                       (o.command == Command::Lesson    ? ": the lesson decides how its steps are drawn"
+                        : o.command == Command::Lecture ? ": the lecture decides how its pages are drawn"
+                                                        : ": it draws no scene")};
+    if (std::ranges::any_of(row.places, [&](std::string_view place) { return isAt(o, place); })) continue;
     std::string all;
-    for (const std::string_view place : row->places)
-      all += (all.empty() ? "" : place == row->places.back() ? " and " : ", ") + std::string{place};
-    throw UsageError{row->shown() + " works only with " + all};
+    for (const std::string_view place : row.places)
+      all += (all.empty() ? "" : place == row.places.back() ? " and " : ", ") + std::string{place};
+    throw UsageError{row.shown() + " works only with " + all};
   }
 }
 
@@ -109,9 +128,16 @@ void checkHaveEffect(const Options& o) {
                        std::string{setting.need.appliesTo}};
 }
 
-/// Checks what `figure` needs and takes.
-void checkFigure(const Options& o) {
-  if (o.output.empty()) throw UsageError{"figure needs -o FILE.svg, FILE.pdf or FILE.eps"};
+/// Checks the names of the files that the command writes.
+void checkOutput(const Options& o) {
+  const CommandRow& row = rowOf(o.command);
+  if (!row.output.empty() && o.output.empty())
+    throw UsageError{std::string{row.name} + " needs -o " + std::string{row.output}};
+  constexpr std::array<std::string_view, 8> kOtherPictures{".jpg", ".jpeg", ".gif", ".bmp",
+                                                           ".ppm", ".tif",  ".svg", ".pdf"};
+  if (row.is(kPng) && std::ranges::any_of(kOtherPictures, [&](auto end) { return o.output.ends_with(end); }))
+    throw UsageError{"-o " + o.output + ": pictures are PNG files; call it .png"};
+  if (o.command != Command::Figure) return;
   for (const std::string* file : {&o.output, &o.ids})
     if (!file->empty() && figureFormatOf(*file) == nullptr)
       throw UsageError{(file == &o.output ? "-o " : "--ids ") + *file +
@@ -120,85 +146,64 @@ void checkFigure(const Options& o) {
     throw UsageError{"--smooth needs -o FILE.pdf: only PDF has triangles with a colour at each corner"};
 }
 
-/// Checks what each command needs and takes.
-void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
-  const bool sceneGiven = o.gave("scene");
-  const bool makesPng = o.command == Command::Draw || o.command == Command::Snapshot;
-  const std::string name{rowOf(o.command).name};
-  const bool traces = o.command == Command::Trace;
-  const bool charts = o.command == Command::Trade || o.command == Command::Extremes;
-  const bool explains = o.command == Command::Explain;
-  const bool figure = o.command == Command::Figure;
-  const bool diagnoses = o.command == Command::Diagnose, takes = !rowOf(o.command).takes.empty();
-  const bool asks = o.command == Command::Questions, grades = o.command == Command::Grade;
-  if (diagnoses && !o.sceneFor.empty()) {
-    if (sceneGiven) throw UsageError{"--scene-for names a scene: leave out " + inQuotes(o.scene)};
-    for (std::size_t k = 0; k < o.given.size(); ++k)
-      if (o.given[k] != "--scene-for" && o.given[k] != "--json")
-        throw UsageError{"--scene-for tries all methods and tables: leave out " + o.given[k]};
-    return;
-  }
-  if ((makesPng || traces || charts || explains || figure || takes || asks) && !sceneGiven)
-    throw UsageError{name + " needs a scene, such as teapot"};
-  exclude(!o.handedIn.empty(), !o.run.empty(), "an order and --run");
-  exclude(!o.output.empty(), !o.run.empty(), "-o and --run");
-  if (takes && o.handedIn.empty() && o.run.empty())
-    throw UsageError{name + " needs, after the scene, " + std::string{rowOf(o.command).takes}};
-  if (grades && o.output.empty()) throw UsageError{"grade needs -o MARKS.csv"};
-  if (explains && !o.pixel && !o.gave("--viewing"))
+/// Checks the words that are no options: the scene, and what comes after it.
+void checkWords(const Options& o) {
+  const CommandRow& row = rowOf(o.command);
+  const std::string name{row.name};
+  const bool given = o.gave("scene");
+  if (row.is(kNeedsScene) && !given) throw UsageError{name + " needs a scene, such as teapot"};
+  if (!row.takes.empty() && o.handedIn.empty() && o.run.empty())
+    throw UsageError{name + " needs, after the scene, " + std::string{row.takes}};
+  if (o.command == Command::Explain && !o.pixel && !o.gave("--viewing"))
     throw UsageError{"explain needs a pixel X,Y of the picture, such as 400,300: xnewell explain " + o.scene +
                      " 400,300"};
-  exclude(explains && o.pixel, o.gave("--viewing"), "a pixel and --viewing");
   if (const glm::ivec2 size = o.size.value_or(kPictureSize);
       o.pixel && (o.pixel->x >= size.x || o.pixel->y >= size.y))
     refuseOutside(*o.pixel, size);
-  if (figure) checkFigure(o);
-  if (makesPng && o.output.empty()) throw UsageError{name + " needs -o FILE.png"};
-  constexpr std::array<std::string_view, 8> kOtherPictures{".jpg", ".jpeg", ".gif", ".bmp",
-                                                           ".ppm", ".tif",  ".svg", ".pdf"};
-  for (const std::string_view other : kOtherPictures)
-    if ((makesPng || charts || diagnoses) && o.output.ends_with(other))
-      throw UsageError{"-o " + o.output + ": pictures are PNG files; call it .png"};
-  if (sceneGiven && o.scene.empty()) throw UsageError{"the scene's name is empty"};
+  if (given && o.scene.empty()) throw UsageError{"the scene's name is empty"};
   const std::filesystem::path path{o.scene};
   if (o.commandMeant && !isBuiltIn(o.scene) && path.extension().empty() && !std::filesystem::exists(path))
     throw UsageError{o.scene +
                      ": not a command or a built-in scene; `xnewell --help` lists the commands, "
                      "`xnewell scenes` the scenes"};
-  const bool lesson = o.command == Command::Lesson, lecture = o.command == Command::Lecture;
-  if (sceneGiven && !rowOf(o.command).draws && !lesson && !lecture)
-    throw UsageError{name + " takes no scene"};
+  if (given && !row.draws && !row.is(kPages)) throw UsageError{name + " takes no scene"};
+}
+
+void checkLesson(const Options& o) {
+  const std::string how = o.frames.empty() ? "--worksheet" : "--frames";
+  const bool writes = o.gave(how), named = o.gave("scene"), begins = o.gave("--step");
+  if (writes && !named) throw UsageError{how + " needs a lesson's name"};
+  for (const char* option : {"--visual", "--colormap", "--nearest"})
+    if (writes && o.gave(option))
+      throw UsageError{std::string{option} + " needs a server, and lesson " + how + " uses none"};
+  if (begins && !named) throw UsageError{"--step needs a lesson's name"};
+  if (begins && o.window.step < 1) throw UsageError{"--step: the steps of a lesson count from 1"};
+}
+
+/// Checks what the command needs and takes.
+void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
+  if (o.command == Command::Diagnose && !o.sceneFor.empty()) {
+    if (o.gave("scene")) throw UsageError{"--scene-for names a scene: leave out " + inQuotes(o.scene)};
+    for (const std::string& given : o.given)
+      if (given != "--scene-for" && given != "--json")
+        throw UsageError{"--scene-for tries all methods and tables: leave out " + given};
+    return;
+  }
+  checkWords(o);
+  checkOutput(o);
   checkPlaces(o, rows);
-  if (lecture) {
-    if (!sceneGiven)
-      throw UsageError{"lecture needs a file, such as my-lecture.json; first-hour comes with the program"};
-    needsWindow("a lecture", o);
-  }
-  if (lesson) {
-    const bool writes = !o.frames.empty() || !o.worksheet.empty();
-    const std::string how = o.frames.empty() ? "--worksheet" : "--frames";
-    if (writes && !sceneGiven) throw UsageError{how + " needs a lesson's name"};
-    for (const char* option : {"--visual", "--colormap", "--nearest"})
-      if (writes && o.gave(option))
-        throw UsageError{std::string{option} + " needs a server, and lesson " + how + " uses none"};
-    exclude(writes, !o.answers.empty(), how + " and --answers");
-    exclude(writes, o.gave("--step"), how + " and --step");
-    if (o.gave("--step") && !sceneGiven) throw UsageError{"--step needs a lesson's name"};
-    if (o.gave("--step") && o.window.step < 1) throw UsageError{"--step: the steps of a lesson count from 1"};
-    exclude(!o.frames.empty(), !o.worksheet.empty(), "--frames and --worksheet");
-    needsWindow("a lesson", o);
-  }
-  exclude(o.accuracy.has_value(), o.wholeWindow, "--accuracy and --whole-window");
-  exclude(o.quick, o.wholeWindow, "--quick and --whole-window");
-  const bool follows = o.window.polygon && traces;
-  exclude(follows, o.quick, "--scanline and --quick");
-  exclude(follows, !o.frames.empty(), "--scanline and --frames");
+  if (o.command == Command::Lesson) checkLesson(o);
+  if (o.command == Command::Lecture && !o.gave("scene"))
+    throw UsageError{"lecture needs a file, such as my-lecture.json; first-hour comes with the program"};
+  for (const Clash& clash : kClashes)
+    exclude(
+        o.gave(clash.a), o.gave(clash.b),
+        clash.both.empty() ? std::string{clash.a} + " and " + std::string{clash.b} : std::string{clash.both});
+  if (const CommandRow& row = rowOf(o.command); row.is(kPages)) needsWindow("a " + std::string{row.name}, o);
+  if (o.command == Command::Trace && o.wholeWindow) needsWindow("the stepper", o);
   if (o.window.polygon && !o.window.scanline && o.viewName == "machbands")
     throw UsageError{"--scanline: '" + *o.window.polygon + "' is not a whole number from 0 to " +
                      std::to_string(kMaxPicture - 1)};
-  if (traces && o.wholeWindow) needsWindow("the stepper", o);
-  exclude(o.wholeWindow, !o.ids.empty(), "--whole-window and --ids");
-  exclude(o.gave("--light"), o.gave("--light-at"), "--light and --light-at");
 }
 
 /// Refuses a figure of an order that knows no polygons, or only those with samples.
@@ -214,10 +219,7 @@ void checkFigureMethods(const Options& o) {
 /// Checks that shading, order, filler and texture go together.
 void checkMethods(const Options& o) {
   const bool serverFills = o.fill == Fill::XFillPolygon;
-  if (serverFills &&
-      (o.command == Command::Trace || o.command == Command::Draw || o.command == Command::Explain ||
-       o.command == Command::Figure || o.command == Command::Trade || o.command == Command::Extremes ||
-       !rowOf(o.command).takes.empty() || o.command == Command::Questions))
+  if (serverFills && !rowOf(o.command).is(kFills))
     throw UsageError{"--fill x11 needs a server: use snapshot"};
   exclude(o.accuracy.has_value(), serverFills, "--accuracy and --fill x11");
   if (serverFills && o.view != View::Picture && !o.wholeWindow && o.command != Command::View)
@@ -257,34 +259,24 @@ void checkUsage(const Options& o, const std::vector<OptionRow>& rows) {
   checkEffects(o);
 }
 
-void checkSettings(const Options& o) {
-  checkHaveEffect(o);
-  checkMethods(o);
-}
-
-void settle(Options& o, const PictureSettings& scene) try {
+void settleOver(Options& o, const PictureSettings& scene) {
   PictureSettings settings = scene;
   settings.camera = o.picture.camera, settings.mostPieces = o.picture.mostPieces;
   if (!applyOverrides(settings, o.overrides)) throw UsageError{"--ia and --ip: their sum must not exceed 1"};
-  if (o.halfVector) {
-    if (o.gave("--form") && settings.light.form != Form::HalfVector)
-      throw UsageError{"--half-vector and --form exclude each other"};
-    settings.light.form = Form::HalfVector;
-  }
+  for (const auto& [setting, value] : o.overrides)
+    exclude(o.gave(setting->alias), textOf(*setting, value) != setting->means,
+            std::string{setting->alias} + " and " + std::string{setting->option});
   // Here inPixels is true if --fill or the scene asks for the server's filler. --fill x11 always counts. A
   // scene's wish counts only for view and snapshot, which have a server, and only if the server can fill the
   // polygons.
   const bool server = std::exchange(settings.inPixels, false);
-  const bool window = o.command == Command::View || o.command == Command::Snapshot;
   const bool fillable = !rowOf(settings.order).bySample && !rowOf(settings.shading).interpolates;
-  if (server && (o.gave("--fill") || (window && fillable))) o.fill = Fill::XFillPolygon;
+  if (server && (o.gave("--fill") || (rowOf(o.command).is(kFills) && fillable))) o.fill = Fill::XFillPolygon;
   o.picture = settings;
   if (PictureSettings B = settings; o.window.beside && !applyOverrides(B, *o.window.beside))
     throw UsageError{"--beside: the sum of ia and ip must not exceed 1"};
-  checkSettings(o);
-} catch (const UsageError& e) {
-  if (o.carrier.empty()) throw;
-  throw UsageError{o.carrier + ": " + e.what()};
+  checkHaveEffect(o);
+  checkMethods(o);
 }
 
 }  // namespace xnewell

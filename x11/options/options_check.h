@@ -12,8 +12,8 @@ namespace xnewell {
 
 /// What the command line says by itself. `rows` are those of all options.
 void checkUsage(const Options& options, const std::vector<OptionRow>& rows);
-/// What settle() made of it.
-void checkSettings(const Options& options);
+/// The same as settle(), without the carrier's name in a complaint.
+void settleOver(Options& options, const PictureSettings& scene);
 
 /// Refuses a pixel of a picture that has this size. @throws UsageError
 [[noreturn]] void refuseOutside(const glm::ivec2& pixel, const glm::ivec2& size);

@@ -61,46 +61,54 @@ void takeScanline(Options& o, const std::string& text) {
 }  // namespace
 
 void addView(Reader& r, Options& o) {
-  r.text("--view", "what to show: " + viewNames(), o.viewName, [&](const std::string& s) {
+  OptionRow& view = r.text("--view", "what to show: " + viewNames(), o.viewName, [&](const std::string& s) {
     if (!takeView(o, s)) refuse("--view", s, viewNames());
   });
-  r.proposes("--view", kViews);
+  view.proposes(kViews).only({"view", "draw", "snapshot"});
   for (const WindowViewRow& row : kWindowViews)
-    if (!isView(row.option)) r.proposes("--view", std::array{Choice{row.option, {}, {}}});
+    if (!isView(row.option)) view.words.emplace_back(row.option);
   r.number("--step", o.window.step, 0, 1'000'000'000,
            "the step of the depth sort, or the stage of --view viewing, that the window begins with; lesson: "
-           "the lesson's step, from 1");
+           "the lesson's step, from 1")
+      .only({"--view depthsort", "--view viewing", "--view scanline", "lesson"});
   r.text("--pixel", "the pixel X,Y that the window begins with, in the picture of that view", "its middle",
-         [&](const std::string& s) { o.window.pixel = pixelOf("--pixel", s); });
-  r.mayTakeText(
-      "--viewing",
-      "explain: what the viewing transformation does to a vertex, FACE.CORNER with corners from 1, or "
-      "the number of a vertex, such as 495.1 or 1234; --view viewing begins with it",
-      "in the middle of the picture", [&](const std::string& s) {
-        const bool digits = s.find_first_not_of("0123456789.") == s.npos;
-        const bool isOne = s.find('.') == s.rfind('.') && !s.starts_with('.') && !s.ends_with('.');
-        if (!digits || !isOne || s.size() > 20)
-          refuse("--viewing", s, "FACE.CORNER or the number of a vertex, such as 495.1 or 1234");
-        o.window.vertex = s;
-      });
+         [&](const std::string& s) { o.window.pixel = pixelOf("--pixel", s); })
+      .only({"--view pixel"});
+  r.text("--viewing",
+         "explain: what the viewing transformation does to a vertex, FACE.CORNER with corners from 1, or "
+         "the number of a vertex, such as 495.1 or 1234; --view viewing begins with it",
+         "in the middle of the picture",
+         [&](const std::string& s) {
+           const bool digits = s.find_first_not_of("0123456789.") == s.npos;
+           const bool isOne = s.find('.') == s.rfind('.') && !s.starts_with('.') && !s.ends_with('.');
+           if (!digits || !isOne || s.size() > 20)
+             refuse("--viewing", s, "FACE.CORNER or the number of a vertex, such as 495.1 or 1234");
+           o.window.vertex = s;
+         })
+      .only({"explain", "--view viewing"})
+      .mayLack = true;
   r.text(
-      "--controls",
-      "the few controls that stand beside a larger picture in view 1, by their keys, such as Ssn; none puts "
-      "those of view 1 or 2 away. All keys work all the time",
-      "all controls", [&](const std::string& s) { o.window.controls = parseControls(s); });
+       "--controls",
+       "the few controls that stand beside a larger picture in view 1, by their keys, such as Ssn; none puts "
+       "those of view 1 or 2 away. All keys work all the time",
+       "all controls", [&](const std::string& s) { o.window.controls = parseControls(s); })
+      .only({"view", "--whole-window"});
   r.text(
-      "--scanline",
-      "the row of the picture that --view machbands follows, from 0 at its top; --view scanline and "
-      "trace: the "
-      "polygon that is filled, by its face number, such as 59, or with .2 for the face's second convex part",
-      "the middle row, or the row that shows most if nothing shows there; a polygon of about 200 samples",
-      [&](const std::string& s) { takeScanline(o, s); });
+       "--scanline",
+       "the row of the picture that --view machbands follows, from 0 at its top; --view scanline and "
+       "trace: the "
+       "polygon that is filled, by its face number, such as 59, or with .2 for the face's second convex part",
+       "the middle row, or the row that shows most if nothing shows there; a polygon of about 200 samples",
+       [&](const std::string& s) { takeScanline(o, s); })
+      .only({"--view machbands", "--view scanline", "trace"});
   r.text("--beside",
          "the settings of B that differ from those of A, such as \"order=none shade=phong\"; same: none of "
          "them",
          "z-sort beside an exact order, Newell's beside any other",
-         [&](const std::string& s) { o.window.beside = besideOf(s); });
-  r.choice("--difference", kUnlikes, o.window.difference, "what --view sidebyside compares");
+         [&](const std::string& s) { o.window.beside = besideOf(s); })
+      .only({"--view sidebyside"});
+  r.choice("--difference", kUnlikes, o.window.difference, "what --view sidebyside compares")
+      .only({"--view sidebyside"});
 }
 
 }  // namespace xnewell

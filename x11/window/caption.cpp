@@ -1,23 +1,16 @@
 #include "x11/window/caption.h"
 
 #include "shading/scene/settings.h"
+#include "x11/window/setting_controls.h"
 
 namespace xnewell {
-
-namespace {
-
-std::string_view chosen(char key, const Setup& setup) {
-  const ChoiceRow& row = *choiceOf(key);
-  return row.options[row.get(setup)];
-}
-
-}  // namespace
 
 std::string orderInWords(Order order) { return std::string{rowOf(order).inWords}; }
 
 std::string shadingInWords(Shading shading) { return std::string{rowOf(shading).words}; }
 
 std::string captionOf(const Setup& setup) {
+  const Control projection = settingControl('P', setup, setup, {});
   const MistakeRow& equation = rowOf(setup.picture.light.mistake);
   const bool mistaken =
       equation.id != Mistake::None && hasEffect(*settingOf("--mistake"), factsOf(setup.picture));
@@ -25,7 +18,7 @@ std::string captionOf(const Setup& setup) {
          (mistaken ? " with " + std::string{equation.words} : std::string{}) + "; " +
          orderInWords(setup.picture.order) + "; " +
          (setup.fill == Fill::Scanline ? "own scanline" : "XFillPolygon") + "; " +
-         std::string{chosen('P', setup)};
+         projection.options[static_cast<std::size_t>(projection.value)];
 }
 
 }  // namespace xnewell

@@ -20,9 +20,8 @@ constexpr int kName = 24;  // units from the left edge of a row to the name
 constexpr int kButton = 20;
 
 Section sectionOf(char key) {
-  if (const SliderRow* const row = sliderOf(key)) return row->section;
-  if (const ChoiceRow* const row = choiceOf(key)) return row->section;
-  return Section::Hidden;
+  if (const Setting* const setting = settingOf(key)) return setting->section;
+  return key == 'W' || key == 'P' ? Section::Method : Section::Hidden;
 }
 
 int onBar(const Rect& bar, double value) {

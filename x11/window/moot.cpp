@@ -83,7 +83,7 @@ void noteEmpty(std::ostream& out, const Picture& picture) {
 void noteMoot(std::ostream& out, const Options& options, const Picture& picture) {
   const PictureFacts facts = factsOf(picture);
   for (const std::string& given : options.given) {
-    const Setting* const setting = settingOf(given == "--half-vector" ? "--form" : std::string_view{given});
+    const Setting* const setting = settingOf(given);
     if (!setting || hasEffect(*setting, facts)) continue;
     const std::string line = noEffect(given, *setting);
     out << "xnewell: note: " << line << '\n';

@@ -132,7 +132,7 @@ Controls PictureBench::controls() {
         const double sum = valueAt(share, double(x - column_.bar.x) / (column_.bar.width - 1));
         host_.change('p', [&](Setup& s) {
           s.picture.light.Ia = std::min(s.picture.light.Ia, sum);
-          sliderOf('p')->set(s, valueAt(share, sum - s.picture.light.Ia));
+          (void)applyOverrides(s.picture, {{settingOf('p'), valueAt(share, sum - s.picture.light.Ia)}});
         });
       };
     if (control.key == 'H' || control.key == 'E')
@@ -173,7 +173,9 @@ void PictureBench::drop() {
 KeyTable PictureBench::ownKeys() {
   const auto all = [this](char key) {
     return [this, key](const Key&) {
-      host_.change(key == 'i' ? '[' : ']', [&](Setup& s) { sliderOf(key)->set(s, 1.0); });
+      host_.change(key == 'i' ? '[' : ']', [&](Setup& s) {
+        (void)applyOverrides(s.picture, {{settingOf(key), 1.0}});
+      });
     };
   };
   KeyTable table = zoomKeys(host_.setup(), subject_(), change());

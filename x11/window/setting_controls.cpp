@@ -1,6 +1,7 @@
 #include "x11/window/setting_controls.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "shading/scene/units.h"
@@ -12,67 +13,116 @@ namespace {
 
 using Kind = Control::Kind;
 
-Control sliderControl(const SliderRow& row, const Setup& shown, const Setup& defaults, ChangeSetup change) {
-  return {.kind = Kind::Slider,
-          .key = row.key,
-          .label = std::string{row.label},
-          .is = std::string{row.setting->is},
-          .value = row.get(shown),
-          .range = {row.low, row.high, row.step, row.logarithmic, row.decimals},
-          .initially = row.get(defaults),
-          .off = row.enabled(shown) ? std::string{} : row.whenOff(),
-          .set = [&row, change = std::move(change)](double value) {
-            change(row.key, [&](Setup& s) { row.set(s, value); });
-          }};
+/// The hues that the key `H` visits.
+struct HueRow {
+  std::string_view name;
+  glm::dvec3 hue;
+};
+constexpr std::array kHues{
+    HueRow{"red", {1, 0, 0}},      HueRow{"amber", {1, 0.7, 0}}, HueRow{"green", {0, 1, 0}},
+    HueRow{"blue", {0.3, 0.5, 1}}, HueRow{"gray", {1, 1, 1}},
+};
+
+/// The gammas that the key `g` visits.
+constexpr std::array kGammas{1.0, 1.4, 1.8, 2.2};
+
+/// The number of a setting: of three numbers, which are a hue, the index in kHues or -1. In the setup the
+/// window keeps its own filler; the picture's setting is set only when a picture is made for the server.
+double numberIn(const Setup& setup, const Setting& setting) {
+  if (setting.key == "fill") return static_cast<double>(setup.fill);
+  const Value value = setting.field.get(setup.picture);
+  if (const auto* const number = std::get_if<double>(&value)) return *number;
+  const auto* const now = std::ranges::find(kHues, std::get<glm::dvec3>(value), &HueRow::hue);
+  return now == kHues.end() ? -1.0 : static_cast<double>(now - kHues.begin());
 }
 
-Control choiceControl(const ChoiceRow& row, const Setup& shown, ChangeSetup change) {
-  return {.kind = Kind::Choice,
-          .key = row.key,
-          .label = std::string{row.label},
-          .is = std::string{row.tells},
-          .value = static_cast<double>(row.get(shown)),
-          .options = {row.options.begin(), row.options.end()},
-          .next = row.next ? std::optional<double>{row.next(shown)} : std::nullopt,
-          .set = [&row, change = std::move(change)](double option) {
-            change(row.key, [&](Setup& s) { row.set(s, static_cast<int>(option)); });
-          }};
+void setIn(Setup& setup, const Setting& setting, double number) {
+  if (setting.key == "fill") {
+    setup.fill = static_cast<Fill>(number);
+    return;
+  }
+  const bool hue = setting.field.kind == ValueKind::Triple;
+  const Value value = hue ? Value{kHues[static_cast<std::size_t>(number)].hue} : Value{number};
+  (void)applyOverrides(setup.picture, {{&setting, value}});
 }
 
-Control toggleControl(const ToggleRow& row, const Setup& shown, ChangeSetup change) {
-  return {.kind = Kind::Toggle,
-          .key = row.key,
-          .label = std::string{row.label},
-          .is = std::string{row.setting->is},
-          .value = row.get(shown) ? 1.0 : 0.0,
-          .set = [&row, change = std::move(change)](double on) {
-            change(row.key, [&](Setup& s) { row.setting->field.set(s.picture, on); });
-          }};
-}
-
-Control hueControl(const Setup& shown, ChangeSetup change) {
-  const auto* const now = std::ranges::find(kHues, shown.picture.table.hue, &HueRow::hue);
-  Control control{
-      .kind = Kind::Choice,
-      .key = 'H',
-      .label = std::string{settingOf('H')->label},
-      .is = std::string{settingOf('H')->is},
-      .value = now == kHues.end() ? -1.0 : static_cast<double>(now - kHues.begin()),
-      .set = [change = std::move(change)](double option) {
-        change('H', [&](Setup& s) { s.picture.table.hue = kHues[static_cast<std::size_t>(option)].hue; });
-      }};
-  for (const HueRow& row : kHues) control.options.emplace_back(row.name);
+Control controlOf(const Setting& setting, const Setup& shown, const Setup& defaults, ChangeSetup change) {
+  Control control{.kind = setting.slider                          ? Kind::Slider
+                          : setting.field.kind == ValueKind::Flag ? Kind::Toggle
+                                                                  : Kind::Choice,
+                  .key = setting.control,
+                  .label = std::string{setting.label},
+                  .is = std::string{setting.is},
+                  .value = numberIn(shown, setting),
+                  .set = [&setting, change = std::move(change)](double number) {
+                    change(setting.control, [&](Setup& s) { setIn(s, setting, number); });
+                  }};
+  for (const Choice& choice : setting.field.choices) control.options.emplace_back(choice.label);
+  if (setting.field.kind == ValueKind::Triple)
+    for (const HueRow& row : kHues) control.options.emplace_back(row.name);
+  if (const auto& track = setting.slider) {
+    control.range = {track->low, track->high, track->step, track->logarithmic, track->decimals};
+    control.initially = numberIn(defaults, setting);
+    if (!hasEffect(setting, factsOf(shown.picture))) control.off = noEffect(setting.label, setting) + ".";
+  }
   return control;
+}
+
+/// The terms of the equation share one option, the last; each choice of it goes on to the next term.
+Control showControl(const Setup& shown, ChangeSetup change) {
+  static const auto terms = static_cast<std::size_t>(
+      std::ranges::find_if(kShows, [](const ShowRow& show) { return show.term.has_value(); }) -
+      kShows.begin());
+  const auto goesOn = [](const Setup& s) { return rowOf(s.show).term && s.show != kShows.back().id; };
+  Control control{.kind = Kind::Choice,
+                  .key = 'W',
+                  .label = "show",
+                  .is = "what the picture shows",
+                  .value = static_cast<double>(std::min(static_cast<std::size_t>(shown.show), terms)),
+                  .set = [goesOn, change = std::move(change)](double option) {
+                    change('W', [&](Setup& s) {
+                      const auto k = static_cast<std::size_t>(option);
+                      s.show = kShows[k == terms && goesOn(s) ? static_cast<std::size_t>(s.show) + 1 : k].id;
+                    });
+                  }};
+  if (goesOn(shown)) control.next = static_cast<double>(terms);
+  for (std::size_t k = 0; k < terms; ++k) control.options.emplace_back(kShows[k].label);
+  control.options.emplace_back("term");
+  return control;
+}
+
+Control projectionControl(const Setup& shown, ChangeSetup change) {
+  const CameraSettings& camera = shown.picture.camera;
+  return {.kind = Kind::Choice,
+          .key = 'P',
+          .label = "project",
+          .is = "the projection: in perspective, distant things look smaller",
+          .value = camera.parallel || camera.oblique ? 0.0 : 1.0,
+          .options = {"parallel", "perspective"},
+          .set = [change = std::move(change)](double option) {
+            change('P', [&](Setup& s) {
+              s.picture.camera.parallel = option == 0;
+              s.picture.camera.oblique.reset();
+              s.picture.camera.height.reset();
+            });
+          }};
+}
+
+/// The order of the controls: sliders, toggles, choices, the hue, and the choices that have no place in the
+/// column.
+int rankOf(const Setting& setting) {
+  if (setting.slider) return 0;
+  if (setting.field.kind == ValueKind::Flag) return 1;
+  if (setting.field.kind == ValueKind::Triple) return 3;
+  return setting.section == Section::Hidden ? 4 : 2;
 }
 
 }  // namespace
 
 Control settingControl(char key, const Setup& shown, const Setup& defaults, ChangeSetup change) {
-  if (key == 'H') return hueControl(shown, std::move(change));
-  if (const SliderRow* const row = sliderOf(key))
-    return sliderControl(*row, shown, defaults, std::move(change));
-  if (const ChoiceRow* const row = choiceOf(key)) return choiceControl(*row, shown, std::move(change));
-  return toggleControl(*toggleOf(key), shown, std::move(change));
+  if (key == 'W') return showControl(shown, std::move(change));
+  if (key == 'P') return projectionControl(shown, std::move(change));
+  return controlOf(*settingOf(key), shown, defaults, std::move(change));
 }
 
 Control gammaControl(double shown, std::function<void(double gamma)> change) {
@@ -110,11 +160,14 @@ std::string ownOfScene(char control, const Scene& scene) {
 Controls settingControls(const Setup& shown, const Setup& defaults, const ChangeSetup& change,
                          const Scene& scene) {
   Controls all;
-  for (const SliderRow& row : sliders()) all.push_back(sliderControl(row, shown, defaults, change));
-  for (const ToggleRow& row : toggles()) all.push_back(toggleControl(row, shown, change));
-  for (const ChoiceRow& row : choices()) all.push_back(choiceControl(row, shown, change));
-  all.push_back(hueControl(shown, change));
-  for (const ChoiceRow& row : others()) all.push_back(choiceControl(row, shown, change));
+  for (int rank = 0; rank <= 4; ++rank) {
+    if (rank == 2) all.push_back(showControl(shown, change));
+    for (const Setting& setting : settingRows()) {
+      if (setting.control == 0 || rankOf(setting) != rank) continue;
+      all.push_back(controlOf(setting, shown, defaults, change));
+      if (setting.key == "fill") all.push_back(projectionControl(shown, change));
+    }
+  }
   for (Control& control : all)
     if (control.enabled()) control.off = ownOfScene(control.key, scene);
   return all;

@@ -21,10 +21,10 @@ struct Subject {
   double aspect;      ///< of the picture, width to height
 };
 
-/// The control of a setting's key, among them `H`, whose options are kHues, `P` and `W`. It shows `shown`,
-/// and `defaults` on its track.
+/// The control of a setting's key, of `P` or of `W`. It shows `shown`, and `defaults` on its track. Ia and Ip
+/// are two thumbs on one bar: the thumb that moves pushes the other, so that Ia + Ip <= 1.
 [[nodiscard]] Control settingControl(char key, const Setup& shown, const Setup& defaults, ChangeSetup change);
-/// The screen's gamma that the colours are corrected for: one of kGammas. It is no setting of a picture.
+/// The screen's gamma that the colours are corrected for: one of a few. It is no setting of a picture.
 [[nodiscard]] Control gammaControl(double shown, std::function<void(double gamma)> change);
 /// The controls of all settings, in the order of their rows. What the scene has of its own is off.
 [[nodiscard]] Controls settingControls(const Setup& shown, const Setup& defaults, const ChangeSetup& change,

@@ -18,21 +18,28 @@ void stepBy(xnewell::Setup& setup, char key, int steps) {
   const Control control = controlOf(key, setup);
   control.set(stepped(control.range, control.value, steps));
 }
-const SliderRow& slider(char key) { return *sliderOf(key); }
+/// The controls of all settings that have a track.
+Controls sliders() {
+  Controls all;
+  xnewell::Setup s;
+  for (const Setting& setting : settingRows())
+    if (setting.slider) all.push_back(controlOf(setting.control, s));
+  return all;
+}
 }  // namespace
 
 // Ia and Ip push each other: their sum never exceeds 1, and pushing back leaves no dust.
 TEST(Controls, IntensitiesPushEachOther) {
   xnewell::Setup s;
   for (int k = 0; k <= 100; ++k) {
-    slider('i').set(s, k / 100.0);
+    controlOf('i', s).set(k / 100.0);
     ASSERT_LE(s.picture.light.Ia + s.picture.light.Ip, 1.0);
     ASSERT_EQ(s.picture.light.Ia, k / 100.0);
   }
   EXPECT_EQ(s.picture.light.Ip, 0.0);
-  slider('p').set(s, 0.3);
+  controlOf('p', s).set(0.3);
   EXPECT_EQ(s.picture.light.Ia, 0.7);
-  slider('p').set(s, 0.1);
+  controlOf('p', s).set(0.1);
   EXPECT_EQ(s.picture.light.Ia, 0.7);  // with room to spare nobody is pushed
 }
 
@@ -56,54 +63,54 @@ TEST(Controls, AreRowsOfSettings) {
     setting.field.set(s.picture, before);
     EXPECT_EQ(s, xnewell::Setup{});
   }
-  EXPECT_EQ(controls, sliders().size() + toggles().size() + choices().size() - 2 + others().size() + 1);
+  const xnewell::Setup s;
+  EXPECT_EQ(controls + 2, settingControls(s, s, {}, readScene("teapot")).size());  // with P and W
 }
 
 // A slider without effect is off and says why in the one pattern of such sentences.
 TEST(Controls, AreOffWithoutEffect) {
   xnewell::Setup s;
-  EXPECT_FALSE(slider('o').enabled(s));
-  EXPECT_EQ(slider('o').whenOff(), "I0 has no effect here; it applies to ramps of the corrected table.");
+  EXPECT_EQ(controlOf('o', s).off, "I0 has no effect here; it applies to ramps of the corrected table.");
   s.picture.table.kind = TableKind::Corrected;
-  EXPECT_TRUE(slider('o').enabled(s));
-  EXPECT_TRUE(slider('n').enabled(s));
+  EXPECT_TRUE(controlOf('o', s).enabled());
+  EXPECT_TRUE(controlOf('n', s).enabled());
   s.picture.light.ks = 0;
-  EXPECT_FALSE(slider('n').enabled(s));
-  EXPECT_TRUE(slider('a').enabled(s));
+  EXPECT_FALSE(controlOf('n', s).enabled());
+  EXPECT_TRUE(controlOf('a', s).enabled());
   s.picture.shading = Shading::Depth;
-  for (const char key : std::string{"ipadsn"}) EXPECT_FALSE(slider(key).enabled(s)) << key;
+  for (const char key : std::string{"ipadsn"}) EXPECT_FALSE(controlOf(key, s).enabled()) << key;
 }
 
 // A slider's steps lead from end to end and back. Every step moves it, and it stays in its range.
 TEST(Controls, StepsReachBothEnds) {
-  for (const SliderRow& row : sliders()) {
+  for (const Control& row : sliders()) {
     SCOPED_TRACE(row.key);
     xnewell::Setup s;
+    const auto now = [&] { return controlOf(row.key, s).value; };
     s.picture.light.Ia = s.picture.light.Ip = 0;
     s.picture.table.kind = TableKind::Corrected;
-    row.set(s, row.low);
+    controlOf(row.key, s).set(row.range.low);
     int steps = 0;
-    for (double before = -1; row.get(s) != before && steps < 5000; ++steps) {
-      before = row.get(s);
+    for (double before = -1; now() != before && steps < 5000; ++steps) {
+      before = now();
       stepBy(s, row.key, 1);
-      ASSERT_GE(row.get(s), before);
+      ASSERT_GE(now(), before);
     }
-    EXPECT_EQ(row.get(s), row.high);
+    EXPECT_EQ(now(), row.range.high);
     EXPECT_GT(steps, 50);
     stepBy(s, row.key, -100'000);
-    EXPECT_EQ(row.get(s), row.low);
+    EXPECT_EQ(now(), row.range.low);
   }
 }
 
 // The place on a track and the value there belong together, on linear and logarithmic tracks.
 TEST(Controls, TracksInvert) {
-  for (const SliderRow& row : sliders()) {
-    xnewell::Setup s;
-    const TrackRange range = controlOf(row.key, s).range;
+  for (const Control& row : sliders()) {
+    const TrackRange& range = row.range;
     for (int k = 0; k <= 50; ++k) {
       const double v = valueAt(range, k / 50.0);
-      EXPECT_GE(v, row.low);
-      EXPECT_LE(v, row.high);
+      EXPECT_GE(v, range.low);
+      EXPECT_LE(v, range.high);
       EXPECT_EQ(valueAt(range, shareOf(range, v)), v) << row.label;
     }
   }
@@ -131,11 +138,9 @@ TEST(Controls, LightAngles) {
 TEST(Controls, KeysAreUnique) {
   std::set<char> keys;
   std::size_t count = 0;
-  for (const SliderRow& row : sliders()) keys.insert(row.key), ++count;
-  for (const ChoiceRow& row : choices()) keys.insert(row.key), ++count;
-  for (const ChoiceRow& row : others()) keys.insert(row.key), ++count;
-  for (const ToggleRow& row : toggles()) keys.insert(row.key), ++count;
-  for (const char acts : std::string_view{"ltzqurUH?[]+-="}) keys.insert(acts), ++count;
+  const xnewell::Setup s;
+  for (const Control& row : settingControls(s, s, {}, readScene("teapot"))) keys.insert(row.key), ++count;
+  for (const char acts : std::string_view{"ltzqurU?[]+-="}) keys.insert(acts), ++count;
   EXPECT_EQ(keys.size(), count);
 }
 
@@ -143,11 +148,11 @@ TEST(Controls, KeysAreUnique) {
 TEST(Controls, HuesGoRound) {
   xnewell::Setup s;
   const glm::dvec3 first = s.picture.table.hue;
-  for (std::size_t i = 0; i < kHues.size(); ++i) activate(controlOf('H', s));
+  for (std::size_t i = 0; i < controlOf('H', s).options.size(); ++i) activate(controlOf('H', s));
   EXPECT_EQ(s.picture.table.hue, first);
   s.picture.table.hue = {1, 0.123, 0};
   activate(controlOf('H', s));
-  EXPECT_EQ(s.picture.table.hue, kHues[0].hue);
+  EXPECT_EQ(controlOf('H', s).value, 0);
 }
 
 // A shade slider and an exponent are whole numbers.
@@ -156,7 +161,7 @@ TEST(Controls, WholeNumbersStayWhole) {
     xnewell::Setup s;
     for (int k = 0; k < 30; ++k) {
       stepBy(s, key, -1);
-      EXPECT_EQ(slider(key).get(s), std::round(slider(key).get(s)));
+      EXPECT_EQ(controlOf(key, s).value, std::round(controlOf(key, s).value));
     }
   }
 }

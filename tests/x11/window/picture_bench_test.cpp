@@ -23,6 +23,7 @@ const ControlPlace& placeOf(const Workbench& b, char key) { return *b.bench().li
 const Control& withKey(const Controls& controls, char key) {
   return *std::ranges::find(controls, key, &Control::key);
 }
+Control controlOf(const Workbench& b, char key) { return withKey(b.bench().controls(), key); }
 glm::ivec2 middle(const Rect& r) { return {r.x + r.width / 2, r.y + r.height / 2}; }
 
 void click(ReadyWorkbench& b, glm::ivec2 at) {
@@ -115,22 +116,21 @@ TEST(ControlColumn, FitsALowerColumn) {
 // A slider goes where its thumb is dragged, and stops at its ends if the pointer goes beyond. A drag is one
 // undo step.
 TEST(PictureBench, SlidersAreDragged) {
-  for (const SliderRow& row : sliders()) {
-    if (row.key == 'i' || row.key == 'p') continue;
+  for (const Setting& row : settingRows()) {
+    if (!row.slider || row.control == 'i' || row.control == 'p') continue;
     SCOPED_TRACE(row.label);
     xnewell::Setup setup;
     setup.picture.table.kind = TableKind::Corrected;  // otherwise I0 is off
     ReadyWorkbench b{setup};
-    const Rect track = placeOf(b, row.key).track;
+    const Rect track = placeOf(b, row.control).track;
     ASSERT_TRUE(b.grab(track.x + track.width / 4, track.y));
-    const Controls controls = b.bench().controls();
-    const Control& control = withKey(controls, row.key);
+    const Control control = controlOf(b, row.control);
     EXPECT_NEAR(shareOf(control.range, control.value), 0.25, 0.02);
     b.update(true);
     b.dragTo(track.x + track.width + 500, track.y - 90);
-    EXPECT_EQ(row.get(b.setup()), row.high);
+    EXPECT_EQ(controlOf(b, row.control).value, row.slider->high);
     b.dragTo(-500, track.y);
-    EXPECT_EQ(row.get(b.setup()), row.low);
+    EXPECT_EQ(controlOf(b, row.control).value, row.slider->low);
     b.settle();
     b.update();
     b.type("u");
@@ -144,12 +144,13 @@ TEST(PictureBench, NamesTakeTheKeyboard) {
   setup.picture.table.kind = TableKind::Corrected;  // otherwise I0 is off
   ReadyWorkbench b{setup};
   const xnewell::Setup before = b.setup();
-  for (const SliderRow& row : sliders()) {
-    const Rect place = placeOf(b, row.key).area;
+  for (const Setting& row : settingRows()) {
+    if (!row.slider) continue;
+    const Rect place = placeOf(b, row.control).area;
     EXPECT_FALSE(b.grab(place.x + 30, place.y + 5)) << row.label;
     EXPECT_EQ(b.setup(), before);
     b.press({NamedKey::End});
-    EXPECT_EQ(row.get(b.setup()), row.high) << row.label;
+    EXPECT_EQ(controlOf(b, row.control).value, row.slider->high) << row.label;
     b.type("r");
   }
 }
@@ -181,8 +182,11 @@ TEST(PictureBench, IntensitiesPushEachOther) {
 TEST(PictureBench, OptionsAreClicked) {
   ReadyWorkbench b;
   int taken = 0;
-  for (const ChoiceRow& row : choices()) {
+  const Controls controls = b.bench().controls();
+  for (const Control& row : controls) {
+    if (row.kind != Kind::Choice || !b.bench().list().find(row.id())) continue;
     const ControlPlace place = placeOf(b, row.key);
+    const auto now = [&] { return static_cast<int>(controlOf(b, row.key).value); };
     for (int k = 0; k < static_cast<int>(row.options.size()); ++k) {
       SCOPED_TRACE(row.label);
       b.type("r");
@@ -190,13 +194,13 @@ TEST(PictureBench, OptionsAreClicked) {
       if (row.key == 'F' && k == 0) {
         EXPECT_EQ(b.setup().fill, Fill::XFillPolygon);
       }
-      EXPECT_EQ(row.get(b.setup()), k);
+      EXPECT_EQ(now(), k);
       ++taken;
     }
-    const int after = (row.get(b.setup()) + 1) % static_cast<int>(row.options.size()),
-              due = row.next ? row.next(b.setup()).value_or(after) : after;
+    const auto next = controlOf(b, row.key).next;
+    const int due = next ? static_cast<int>(*next) : (now() + 1) % static_cast<int>(row.options.size());
     click(b, {place.area.x + 30, place.area.y + 5});
-    EXPECT_EQ(row.get(b.setup()), due);
+    EXPECT_EQ(now(), due);
   }
   EXPECT_GT(taken, 20);
 }
