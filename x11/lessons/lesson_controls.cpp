@@ -45,30 +45,19 @@ Control plainControl(char key, LessonState& state, Host& host, double aspect) {
   const ChangeSetup change = [&host](char control, const auto& edit) { host.change(control, edit); };
   const Scene& scene = *state.exhibit.scene;
   const Subject subject{scene, centreOf(scene), aspect};
-  switch (key) {
-    case 'M':
-      return toggle(state.exhibit.named, state);
-    case 'W':
-      return toggle(state.exhibit.wrongMarked, state);
-    case 'm':
-      return rotateControl(state);
-    case 'v':
-      return eventControl(state);
-    case 'g':
-      return gammaControl(state.exhibit.effects.gamma, [&state](double gamma) {
-        state.exhibit.effects.gamma = gamma;
-        state.late = true;
-      });
-    case 'l':
-      return lightControl(host.setup(), subject, change);
-    case 't':
-    case 'z': {
-      const Controls camera = cameraControls(host.setup(), subject, change);
-      return *std::ranges::find(camera, key, &Control::key);
-    }
-    default:
-      return settingControl(key, host.setup(), host.defaults(), change);
-  }
+  if (key == 'M') return toggle(state.exhibit.named, state);
+  if (key == 'W') return toggle(state.exhibit.wrongMarked, state);
+  if (key == 'm') return rotateControl(state);
+  if (key == 'v') return eventControl(state);
+  if (key == 'g')
+    return gammaControl(state.exhibit.effects.gamma, [&state](double gamma) {
+      state.exhibit.effects.gamma = gamma;
+      state.late = true;
+    });
+  if (key == 'l') return lightControl(host.setup(), subject, change);
+  const Controls camera = cameraControls(host.setup(), subject, change);
+  const auto own = std::ranges::find(camera, key, &Control::key);
+  return own != camera.end() ? *own : settingControl(key, host.setup(), host.defaults(), change);
 }
 
 /// The key in a step where `key` chooses an answer, `a` to `d`.
