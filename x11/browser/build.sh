@@ -32,7 +32,7 @@ mkdir -p "$copy/srv/xnewell"
 (cd "$root" && git ls-files -z --cached --others --exclude-standard | tar c --null --ignore-failed-read -T -) |
   tar x -C "$copy/srv/xnewell"
 # shellcheck disable=SC2016
-step build inside "$copy" env "CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" EM_CACHE=/srv/cache sh -ec '
+step build inside "$copy" env "CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" sh -ec '
   cd /srv/xnewell
   g++ -std=c++20 -I. -I/usr/include/freetype2 shading/color/make_font.cpp -lfreetype -o /srv/make_font
   /srv/make_font /usr/share/fonts/X11/misc/6x13.pcf.gz /srv/font.cpp
