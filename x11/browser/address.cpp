@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cctype>
+#include <charconv>
 #include <optional>
 
 #include "x11/options/options.h"
@@ -67,8 +67,8 @@ std::string addressOf(std::string_view command) {
   for (std::size_t k = 1; k < words->size(); ++k) {
     const std::string& word = (*words)[k];
     const bool option = word.starts_with('-'), command1 = k == 1 && isCommand(word);
-    const bool takes = option && word.find('=') == word.npos && k + 1 < words->size() && !(*words)[k + 1].starts_with("--") &&
-                       (*words)[k + 1] != "-o";
+    const bool takes = option && word.find('=') == word.npos && k + 1 < words->size() &&
+                       !(*words)[k + 1].starts_with("--") && (*words)[k + 1] != "-o";
     const bool left = std::ranges::find(kOfThePicture, word) != kOfThePicture.end();
     if (!left && !(command1 && word != "lesson")) {
       address += address.empty() ? "" : "&";

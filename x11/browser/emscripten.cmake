@@ -1,10 +1,11 @@
 # The program for browsers: this room stands in for what has Xlib.
 target_compile_options(xnewell_options INTERFACE -include ${CMAKE_CURRENT_SOURCE_DIR}/browser/from_chars.h)
-set_target_properties(x11_server PROPERTIES SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/browser/no_server.cpp)
+file(TOUCH ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
+set_target_properties(x11_server PROPERTIES SOURCES ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
 get_target_property(files x11_app SOURCES)
 list(FILTER files EXCLUDE REGEX "(long_work|server|snapshot|viewer)\\.cpp$")
 set_target_properties(x11_app PROPERTIES SOURCES "${files}")
-target_sources(x11_browser PRIVATE browser/window.cpp)
+target_sources(x11_browser PRIVATE browser/window.cpp browser/no_server.cpp)
 target_link_libraries(x11_command PUBLIC x11_browser)
 
 # One file of JavaScript, for a page and for Node.

@@ -49,7 +49,8 @@ TEST(Address, IsThatOfACommand) {
   EXPECT_EQ(addressOf("xnewell snapshot teapot --beside 'order=none shade=phong'"),
             "teapot&beside=order%3Dnone%20shade%3Dphong");
   EXPECT_EQ(addressOf("xnewell 'not ended"), "");
-  for (const char* const command : {"xnewell snapshot 'a&b=c%20.obj' --beside 'order=none' --dither --eye=-3,4,9"}) {
+  for (const char* const command :
+       {"xnewell snapshot 'a&b=c%20.obj' --beside 'order=none' --dither --eye=-3,4,9"}) {
     const std::vector<std::string> words = argumentsOf(addressOf(command));
     EXPECT_THAT(words, ElementsAre("a&b=c%20.obj", "--beside=order=none", "--dither", "--eye=-3,4,9"));
   }
