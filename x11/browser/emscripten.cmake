@@ -13,4 +13,4 @@ target_link_options(xnewell PRIVATE -sSINGLE_FILE -sINVOKE_RUN=0 -sEXIT_RUNTIME=
   -sEXPORTED_RUNTIME_METHODS=FS,NODEFS,HEAPU8,UTF8ToString,callMain,ccall,ENV -sFORCE_FILESYSTEM
   --pre-js ${CMAKE_CURRENT_SOURCE_DIR}/browser/node.js
   --embed-file ${PROJECT_SOURCE_DIR}/data@/usr/share/xnewell
-  --exclude-file */pictures --exclude-file *.md)
+  "SHELL:--exclude-file */pictures" "SHELL:--exclude-file *.md")

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/exact/give_up.h"
+#include "shading/color/png.h"
 #include "shading/picture/stopwatch.h"
 #include "x11/app/snapshot.h"
 #include "x11/app/viewer.h"
