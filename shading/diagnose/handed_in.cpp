@@ -169,7 +169,7 @@ HandedIn fromXwd(const Bytes& b) {
   const Packed p{.width = static_cast<int>(width),
                  .height = static_cast<int>(height),
                  .first = pixels,
-                 .line = line,
+                 .line = static_cast<std::ptrdiff_t>(line),
                  .bytes = static_cast<int>(bytes),
                  .lowFirst = head(7) == 0,
                  .masks = {head(14), head(15), head(16)}};

@@ -396,12 +396,7 @@ class Viewer {
 int runViewer(const Options& options, Scene scene, std::optional<Lesson> lesson,
               const std::function<void()>& shown) {
   Viewer viewer{options, std::move(scene)};
-  if (lesson)
-    viewer.bench().teach(std::move(*lesson), std::max(0, options.window.step - 1));
-  else if (options.command == Command::Lesson)
-    viewer.bench().switchTo(WindowView::Lesson);
-  else
-    viewer.bench().goTo(options.window);
+  viewer.bench().begin(options, std::move(lesson));
   return viewer.run(shown);
 }
 

@@ -103,6 +103,15 @@ void Workbench::teach(Lesson lesson, int step) {
   if (step > 0) lessons_->goTo(step);
 }
 
+void Workbench::begin(const Options& options, std::optional<Lesson> lesson) {
+  if (lesson)
+    teach(std::move(*lesson), std::max(0, options.window.step - 1));
+  else if (options.command == Command::Lesson)
+    switchTo(WindowView::Lesson);
+  else
+    goTo(options.window);
+}
+
 void Workbench::begin(Work work) {
   bench().drop();
   work_ = std::move(work);

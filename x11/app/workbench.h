@@ -69,6 +69,8 @@ class Workbench : public Host {
   void release(char letter) { bench().release(letter); }
   /// Goes to a place of the window.
   void goTo(const WindowPlace& place);
+  /// Begins where the options of a window say: in the lesson, in the list of lessons, or at a place.
+  void begin(const Options& options, std::optional<Lesson> lesson);
   /// Shows a lesson, beginning with this step; 0 is the first.
   void teach(Lesson lesson, int step = 0);
   /// For code that draws the frames of a lesson or of the stepper.
@@ -147,6 +149,8 @@ class Workbench : public Host {
 
   /// The view that is shown.
   [[nodiscard]] Bench& bench() const { return *benches_[static_cast<std::size_t>(view())]; }
+  /// What surrounds the view in the last drawing.
+  [[nodiscard]] const PanelState& panel() const { return panel_; }
   /// Where the window is.
   [[nodiscard]] WindowPlace place() const;
   /// For a picture of the window: the beginning of its file's name, and the set-up that it carries.

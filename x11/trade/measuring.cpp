@@ -1,5 +1,6 @@
 #include "x11/trade/measuring.h"
 
+#include <algorithm>
 #include <exception>
 #include <system_error>
 #include <utility>
@@ -12,23 +13,24 @@ namespace xnewell {
 namespace {
 
 constexpr double kBetweenNews = 150;  // ms
+constexpr double kAtOnce = 3;         // seconds
 
 }  // namespace
 
 Measuring::Measuring(Scene scene, const PictureSettings& settings, TradeRequest request) {
-  auto measure = [this, scene = Shared<Scene>{std::move(scene)}, settings,
-                  request = std::move(request)]() mutable {
+  const auto measure = [this, scene = Shared<Scene>{std::move(scene)}, settings](TradeRequest asked) {
     try {
-      request.axes = choosableAxes(PictureCache{scene}.make(settings));
-      publish({measured(scene, settings, request), "", true, ""});
+      asked.axes = choosableAxes(PictureCache{scene}.make(settings));
+      publish({measured(scene, settings, asked), "", true, ""});
     } catch (const std::exception& e) {
       publish({{}, "", true, e.what()});
     }
   };
   try {
-    thread_ = std::thread{std::move(measure)};
-  } catch (const std::system_error& e) {
-    publish({{}, "", true, "the system refuses a thread: " + e.code().message()});
+    thread_ = std::thread{measure, request};
+  } catch (const std::system_error&) {  // there is no other thread, and the window stands still meanwhile
+    request.seconds = std::min(request.seconds, kAtOnce);
+    measure(std::move(request));
   }
 }
 
