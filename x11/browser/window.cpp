@@ -130,10 +130,9 @@ class Window {
     server.copy = [this](const std::string& text) {
       copyText(text.c_str(), addressOf(bench_.pictureNote()).c_str());
     };
-    server.writePicture = [this] {
+    server.picture = [this] {
       for (int k = 0; k < 3 && bench_.stale() != Workbench::Stale::Nothing; ++k) update();
-      return writeNewPng(bench_.pictureName(),
-                         encodePng(bench_.image(), bench_.palette(), bench_.pictureNote()));
+      return encodePng(bench_.image(), bench_.palette(), bench_.pictureNote());
     };
     server.say = [](const std::string& text) { std::cout << text << std::flush; };
     server.fillScreen = [this](std::optional<bool> wish) {
