@@ -20,11 +20,11 @@
 #include "x11/visual/x11_error.h"
 
 /// What the page does for the window (page.html).
-EM_JS(int, hasPage, (), { return typeof document == = 'object' ? 1 : 0; });
+EM_JS(int, hasPage, (), { return Module.page ? 1 : 0; });
 EM_JS(void, copyText, (const char* text, const char* address),
       { Module.page.copy(UTF8ToString(text), UTF8ToString(address)); });
 EM_JS(int, shouldGoOn, (int seconds), { return Module.page.goOn(seconds) ? 1 : 0; });
-EM_JS(void, fillPage, (int full), { Module.page.fill(full != = 0); });
+EM_JS(void, fillPage, (int full), { Module.page.fill(full > 0); });
 
 namespace xnewell {
 
