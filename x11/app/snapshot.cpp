@@ -132,14 +132,6 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
   shoot({picture, withMarks(picture, palette), palette, plan, {0, 0, size.x, size.y}});
 }
 
-std::string writeNewPng(const std::string& stem, const std::string& png) {
-  namespace fs = std::filesystem;
-  std::string file = stem + ".png";
-  for (int n = 2; fs::exists(fs::symlink_status(file)); ++n) file = stem + '-' + std::to_string(n) + ".png";
-  writeFile(file, png);
-  return file;
-}
-
 std::string visualsTable(const Options& options) {
   const OwnedDisplay display = openDisplay();
   const std::string table =

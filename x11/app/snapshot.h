@@ -18,10 +18,6 @@ using Taken = std::function<void(const Picture&, const std::string& png, const S
 /// @throws X11Error, ViewError, and whatever `taken` throws
 void takeSnapshot(const Options& options, Scene scene, const Taken& taken);
 
-/// Writes a new PNG file into the working directory: STEM.png, or STEM-2.png ... if there is such a file.
-/// Returns its name. @throws std::system_error
-[[nodiscard]] std::string writeNewPng(const std::string& stem, const std::string& png);
-
 /// The text that `xnewell visuals` prints. @throws X11Error
 [[nodiscard]] std::string visualsTable(const Options& options);
 

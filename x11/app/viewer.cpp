@@ -152,10 +152,9 @@ class Viewer {
       std::cout << text << std::endl;
       selection_.offer(text, pressedAt_);
     };
-    server.writePicture = [this] {
+    server.picture = [this] {
       for (int k = 0; k < 3 && bench_.stale() != Workbench::Stale::Nothing; ++k) refresh();
-      return writeNewPng(bench_.pictureName(),
-                         pngOf(canvas_, server_.colormap, bench_.image(), bench_.pictureNote()));
+      return pngOf(canvas_, server_.colormap, bench_.image(), bench_.pictureNote());
     };
     server.say = [](const std::string& text) { std::cout << text << std::flush; };
     server.fillScreen = [this](std::optional<bool> wish) { return std::optional{fullScreen_.fill(wish)}; };

@@ -41,9 +41,8 @@ class Workbench : public Host {
     std::function<int(bool severalHues)> mostShades = [](bool) { return kMaxShades; };
     /// Prints a text, and lets other programs paste it.
     std::function<void(const std::string&)> copy = [](const std::string&) {};
-    /// Writes what the window shows, as PNG bytes with a note, into a new file. Returns its name; "" if there
-    /// is no window.
-    std::function<std::string()> writePicture = [] { return std::string{}; };
+    /// What the window shows, as the bytes of a PNG file with a note; "" if there is no window.
+    std::function<std::string()> picture = [] { return std::string{}; };
     /// Prints a text for whoever stands before the class.
     std::function<void(const std::string&)> say = [](const std::string&) {};
     /// Makes the window fill the screen, or gives it its old place again; without a wish, the other than now.

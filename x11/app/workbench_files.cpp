@@ -31,6 +31,16 @@ std::string stemOf(const std::string& name) {
   return stem.empty() ? "scene" : stem;
 }
 
+/// Writes a new PNG file into the working directory: STEM.png, or STEM-2.png ... if there is such a file.
+/// Returns its name. @throws std::system_error
+std::string writeNewPng(const std::string& stem, const std::string& png) {
+  namespace fs = std::filesystem;
+  std::string file = stem + ".png";
+  for (int n = 2; fs::exists(fs::symlink_status(file)); ++n) file = stem + '-' + std::to_string(n) + ".png";
+  writeFile(file, png);
+  return file;
+}
+
 /// What --view calls a view.
 std::string_view viewOption(WindowView view, Show show) {
   if (view == WindowView::Picture && show != Show::Shaded) return kShows[static_cast<std::size_t>(show)].name;
@@ -85,8 +95,9 @@ std::string Workbench::pictureNote() const {
 
 void Workbench::writePicture() {
   try {
-    const std::string file = server_.writePicture();
-    if (file.empty()) return notify("There is no window to take a picture of.");
+    const std::string png = server_.picture();
+    if (png.empty()) return notify("There is no window to take a picture of.");
+    const std::string file = writeNewPng(pictureName(), png);
     const std::string figure = writeFigure(std::filesystem::path{file}.replace_extension(".svg").string());
     tell(file + (figure.empty() ? " is written." : " and " + figure + " are written.") +
          (pictureNote().empty() ? "" : " \"xnewell " + file + "\" opens it again."));

@@ -20,11 +20,11 @@
 #include "x11/visual/x11_error.h"
 
 /// What the page does for the window (page.html).
-EM_JS(int, hasPage, (), { return typeof document == = 'object' ? 1 : 0; });
+EM_JS(int, hasPage, (), { return Module.page ? 1 : 0; });
 EM_JS(void, copyText, (const char* text, const char* address),
       { Module.page.copy(UTF8ToString(text), UTF8ToString(address)); });
 EM_JS(int, shouldGoOn, (int seconds), { return Module.page.goOn(seconds) ? 1 : 0; });
-EM_JS(void, fillPage, (int full), { Module.page.fill(full != = 0); });
+EM_JS(void, fillPage, (int full), { Module.page.fill(full > 0); });
 
 namespace xnewell {
 
@@ -130,10 +130,9 @@ class Window {
     server.copy = [this](const std::string& text) {
       copyText(text.c_str(), addressOf(bench_.pictureNote()).c_str());
     };
-    server.writePicture = [this] {
+    server.picture = [this] {
       for (int k = 0; k < 3 && bench_.stale() != Workbench::Stale::Nothing; ++k) update();
-      return writeNewPng(bench_.pictureName(),
-                         encodePng(bench_.image(), bench_.palette(), bench_.pictureNote()));
+      return encodePng(bench_.image(), bench_.palette(), bench_.pictureNote());
     };
     server.say = [](const std::string& text) { std::cout << text << std::flush; };
     server.fillScreen = [this](std::optional<bool> wish) {
