@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <iostream>
 #include <thread>
 #include <utility>
 
-#include "geometry/files/output_file.h"
 #include "shading/picture/stopwatch.h"
 #include "x11/app/server.h"
 #include "x11/app/workbench.h"
