@@ -61,7 +61,7 @@ prepare() {
 # Every command reads its options: another version of CLI11 may refuse what this machine's accepts.
 # shellcheck disable=SC2016  # these are variables of the inner shell
 every_command='
-  names=$(build/release/x11/xnewell --help | sed -n "s/^  xnewell \([a-z]*\) .*/\1/p" | sort -u)
+  names=$(build/release/x11/xnewell --help | sed -n "s/^  xnewell \([a-z-]*\) .*/\1/p" | sort -u)
   for name in ${names:?}; do build/release/x11/xnewell "$name" --help >/dev/null || exit; done'
 
 # The sums of the figures of all scenes: flat as SVG, Gouraud as PDF, Phong as EPS. So all pixels of Phong's

@@ -49,7 +49,7 @@ const std::array kWriting{
 };
 
 /// These options read a file, or write it while a window is open: kept_answers_test.cpp.
-constexpr std::array<std::string_view, 2> kOthers{"--texture", "--answers"};
+constexpr std::array<std::string_view, 3> kOthers{"--texture", "--answers", "--run"};
 
 class WrittenFiles : public CommandTest {
  protected:

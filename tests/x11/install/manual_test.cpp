@@ -33,7 +33,7 @@ Names found(const std::string& text, const std::string& pattern) {
 /// As --help and `scenes` print them.
 struct Told {
   std::string help = runProgram({"--help"}).out, list = runProgram({"scenes"}).out;
-  Names commands = found(help, R"(^  xnewell \[?([a-z]+))"),
+  Names commands = found(help, R"(^  xnewell \[?([a-z-]+))"),
         options = found(help, R"(^  (?:-\w,)?(--[\w-]+) )"), lessons = found(list, "^lesson (\\S+)"),
         lectures = found(list, "^lecture (\\S+)"), scenes = found(list, "^(?!lesson |lecture )(\\S+)");
 };
