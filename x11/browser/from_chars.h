@@ -1,9 +1,10 @@
 #pragma once
 
-// Stands before each file of the build for browsers, whose C++ library cannot read floating-point numbers yet.
+// Stands before each file of the build for browsers, whose C++ library cannot read floating-point numbers
+// yet.
 #ifdef __cplusplus
-#include <charconv>
 #include <fast_float/fast_float.h>
+#include <charconv>
 
 namespace std {
 

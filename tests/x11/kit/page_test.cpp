@@ -105,7 +105,8 @@ TEST(Page, TheLightestGoesFirst) {
 TEST(Page, ANarrowTableKeepsItsNumbers) {
   page::Section s{"t"};
   s.add(numbers(3, -1));
-  s.add(page::Finding{.bold = "Found.", .why = "Why it is so, in a sentence that takes some lines of a box."});
+  s.add(
+      page::Finding{.bold = "Found.", .why = "Why it is so, in a sentence that takes some lines of a box."});
   for (const int width : {60, 84, 120, 200, 400})
     EXPECT_TRUE(Drawn(Page{.sections = {s}}, width, 400).within(width, 400)) << width;
   EXPECT_EQ(Drawn(Page{.sections = {s}}, 200, 400).image == Drawn(Page{.sections = {s}}, 400, 400).image,

@@ -222,8 +222,9 @@ TEST(LessonFile, ComplaintsNameThePlace) {
           .starts_with("l.json: steps[0].claims.cats: there is no such fact; the facts are polygons, "));
   EXPECT_EQ(complaintOf(withStep(R"("claims": {"cuts": {}})")),
             "l.json: steps[0].claims.cuts: one of at least and at most is needed");
-  EXPECT_TRUE(complaintOf(withStep(R"("controls": ["fill"])"))
-                  .starts_with("l.json: steps[0].controls[0]: 'fill' is not one of shading, normals, order, "));
+  EXPECT_TRUE(
+      complaintOf(withStep(R"("controls": ["fill"])"))
+          .starts_with("l.json: steps[0].controls[0]: 'fill' is not one of shading, normals, order, "));
   EXPECT_EQ(complaintOf(withStep(R"("controls": ["ks", "ks"])")),
             "l.json: steps[0].controls[1]: the control is listed twice");
   EXPECT_EQ(
