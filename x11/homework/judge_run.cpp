@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -17,6 +18,9 @@
 #include "x11/homework/hidden_samples.h"
 
 namespace xnewell {
+
+/// In this order: what a run speaks of; the tests, decided exactly; the steps, each checked when it comes;
+/// the end, with what was never painted and what is independent of what; the words; the page.
 
 namespace {
 
@@ -636,6 +640,8 @@ class RunJudge {
         ++report_.wrong[at->second].alike;
     }
   }
+
+  // The words.
 
   /// The test that settles a pair of fragments, in words.
   [[nodiscard]] std::string settling(const Found& f, const Explainer& explainer) {
