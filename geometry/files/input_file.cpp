@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <mutex>
 #include <new>
-#include <set>
 #include <system_error>
 #include <utility>
 
@@ -48,6 +47,11 @@ void rememberInput(const std::string& file) {
   std::string place = placeOf(file);
   const std::scoped_lock lock{inputsLock};
   inputPlaces.insert(std::move(place));
+}
+
+std::set<std::string> inputs() {
+  const std::scoped_lock lock{inputsLock};
+  return inputPlaces;
 }
 
 bool isInput(const std::string& file) {

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace xnewell {
@@ -20,6 +21,9 @@ using InputFile = std::unique_ptr<std::FILE, CloseFile>;
 
 /// Remembers a file that the program is going to read.
 void rememberInput(const std::string& file);
+
+/// The places of all remembered files.
+[[nodiscard]] std::set<std::string> inputs();
 
 /// True for a remembered file, by any of its names, and for what is at its place now.
 [[nodiscard]] bool isInput(const std::string& file);

@@ -70,7 +70,7 @@ std::string addressOf(std::string_view command) {
     const bool takes = option && word.find('=') == word.npos && k + 1 < words->size() &&
                        !(*words)[k + 1].starts_with("--") && (*words)[k + 1] != "-o";
     const bool left = std::ranges::find(kOfThePicture, word) != kOfThePicture.end();
-    if (!left && !(command1 && word != "lesson")) {
+    if (!left && !(command1 && word != "lesson" && word != "lecture")) {
       address += address.empty() ? "" : "&";
       const std::size_t equals = std::min(option ? word.find('=') : word.npos, word.size());
       address += encoded(word.substr(option ? 2 : 0, equals - (option ? 2 : 0)));

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # x11/browser/build.sh: makes build/browser/xnewell.html, the window for browsers in one file that opens from a disk,
-# and xnewell.js, the commands for Node. Emscripten, zlib and libpng are those of Debian 13, in a copy of a bare root
+# and xnewell.js with xnewell.wasm, the commands for Node. Emscripten, zlib and libpng are those of Debian 13, in a copy of a bare root
 # (tests/bare_roots.sh) that stays for the next time, in ~/.cache/xnewell/browser. What is not committed counts, too.
 # Exit status: 77 if the root cannot be made here.
 set -euo pipefail
@@ -40,10 +40,11 @@ step build inside "$copy" env "CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL
   emcmake cmake --preset release -DCMAKE_INSTALL_PREFIX=/usr -DXNEWELL_LIBRARIES=/srv/libraries \
     -DXNEWELL_FONT_TABLE=/srv/libraries/font.cpp
   cmake --build --preset release --target xnewell'
-cp "$copy/srv/xnewell/build/release/x11/xnewell.js" "$results"
+cp "$copy"/srv/xnewell/build/release/x11/xnewell.{js,wasm} "$results"
 page=$root/x11/browser/page.html
 {
   sed '/^PROGRAM$/,$d' "$page"
+  printf '<script type="text/plain" id="program">' && gzip -9nc "$results/xnewell.wasm" | base64 -w 0 && printf '</script>\n'
   printf '<script>' && cat "$results/xnewell.js" && printf '</script>\n'
   sed '1,/^PROGRAM$/d' "$page"
 } >"$results/xnewell.html"

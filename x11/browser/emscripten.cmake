@@ -6,10 +6,9 @@ get_target_property(files x11_app SOURCES)
 list(FILTER files EXCLUDE REGEX "(long_work|server|snapshot|viewer)\\.cpp$")
 set_target_properties(x11_app PROPERTIES SOURCES "${files}")
 target_sources(x11_browser PRIVATE browser/window.cpp browser/no_server.cpp)
-target_link_libraries(x11_command PUBLIC x11_browser)
 
-# One file of JavaScript, for a page and for Node.
-target_link_options(xnewell PRIVATE -sSINGLE_FILE -sINVOKE_RUN=0 -sEXIT_RUNTIME=0 -lnodefs.js
+# For a page and for Node.
+target_link_options(xnewell PRIVATE -sINVOKE_RUN=0 -sEXIT_RUNTIME=0 -lnodefs.js
   -sEXPORTED_RUNTIME_METHODS=FS,NODEFS,HEAPU8,UTF8ToString,callMain,ccall,ENV -sFORCE_FILESYSTEM
   --pre-js ${CMAKE_CURRENT_SOURCE_DIR}/browser/node.js
   --embed-file ${PROJECT_SOURCE_DIR}/data@/usr/share/xnewell

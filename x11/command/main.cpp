@@ -31,6 +31,7 @@
 #include "x11/app/ready_scene.h"
 #include "x11/app/snapshot.h"
 #include "x11/app/viewer.h"
+#include "x11/browser/write_page.h"
 #include "x11/command/draw_figure.h"
 #include "x11/command/read_lecture.h"
 #include "x11/command/report.h"
@@ -178,6 +179,7 @@ int openWindow(const Options& options, Scene scene, std::optional<Lesson> lesson
 int lecture(const Options& options) {
   std::optional<Doing> doing{"reading " + options.scene};
   std::vector<Page> pages = readLecture(options.scene);
+  if (!options.page.empty()) return writePage(options), kDone;
   doing.emplace("drawing the first page");
   return runLecture(options, std::move(pages), [&] { doing.reset(); });
 }
@@ -202,6 +204,7 @@ int teach(const Options& options) {
     if (std::filesystem::path{options.scene}.extension() == ".json") warnOfClaims(*lesson, options);
     checkOutputs(outputsOf(options));
   }
+  if (!options.page.empty()) return writePage(options), kDone;
   if (options.frames.empty() && options.worksheet.empty())
     return openWindow(options, readScene("teapot"), std::move(lesson));
   const std::string all = " of " + std::to_string(lesson->steps.size());

@@ -285,7 +285,10 @@ std::vector<OptionRow> rowsFor(Options& o) {
            o.sceneFor = s;
          })
       .only({"diagnose"});
-  r.named("--page", o.page, "file", "grade: also write an HTML file with the pictures in it").only({"grade"});
+  r.named("--page", o.page, "file",
+          "grade: also write an HTML file with the pictures in it; lesson, lecture: write the window for "
+          "browsers as one HTML file that begins with it")
+      .only({"grade", "lesson", "lecture"});
   r.number("--count", o.questions, 1, 10'000, "questions: how many").only({"questions"});
   r.number("--seed", o.seed, 0, 1'000'000'000, "questions: another number gives other questions")
       .only({"questions"});

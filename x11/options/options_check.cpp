@@ -32,6 +32,9 @@ constexpr std::array kClashes{
     Clash{"--frames", "--step"},
     Clash{"--worksheet", "--step"},
     Clash{"--frames", "--worksheet"},
+    Clash{"--frames", "--page"},
+    Clash{"--worksheet", "--page"},
+    Clash{"--answers", "--page"},
     Clash{"--accuracy", "--whole-window"},
     Clash{"--quick", "--whole-window"},
     Clash{"--scanline", "--quick"},
@@ -170,7 +173,7 @@ void checkWords(const Options& o) {
 }
 
 void checkLesson(const Options& o) {
-  const std::string how = o.frames.empty() ? "--worksheet" : "--frames";
+  const std::string how = !o.frames.empty() ? "--frames" : o.page.empty() ? "--worksheet" : "--page";
   const bool writes = o.gave(how), named = o.gave("scene"), begins = o.gave("--step");
   if (writes && !named) throw UsageError{how + " needs a lesson's name"};
   for (const char* option : {"--visual", "--colormap", "--nearest"})

@@ -3,6 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "geometry/files/output_file.h"
+#include "geometry/files/text_file.h"
+#include "tests/support/temporary_folder.h"
+#include "x11/browser/write_page.h"
 #include "x11/options/options.h"
 #include "x11/options/shell_words.h"
 
@@ -11,6 +17,7 @@ namespace xnewell::THIS_FILE {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// What the table of options makes of an address.
@@ -54,6 +61,27 @@ TEST(Address, IsThatOfACommand) {
     const std::vector<std::string> words = argumentsOf(addressOf(command));
     EXPECT_THAT(words, ElementsAre("a&b=c%20.obj", "--beside=order=none", "--dither", "--eye=-3,4,9"));
   }
+}
+
+// A page that begins with a lesson holds the lesson's own files beside each other, and no byte of them ends the script.
+TEST(Address, OfAPageWithItsFiles) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "a/b");
+  writeFile(folder.file("a/<!--.json"), "{}");
+  writeFile(folder.file("a/b/x.obj"), "v 0 0 0\n");
+  for (const char* name : {"a/<!--.json", "a/b/x.obj"}) (void)readTextFile(folder.file(name));
+  Options options;
+  options.command = Command::Lesson;
+  options.scene = folder.file("a/<!--.json");
+  options.given = {"scene", "--page", "--step"};
+  options.values = {options.scene, "out.html", "3"};
+  const std::string empty = readTextFile(XNEWELL_DATA_DIR "/../x11/browser/page.html");
+  const std::string page = pageThatBeginsWith(options, empty);
+  EXPECT_THAT(page, HasSubstr(R"(\u003c!--.json":"e30=")"));
+  EXPECT_THAT(page, HasSubstr(R"("address":"lesson&)"));
+  EXPECT_THAT(page, HasSubstr(R"(%3C%21--.json&step=3")"));
+  EXPECT_THAT(page, HasSubstr(R"(b/x.obj":"diAwIDAgMAo=")"));
+  EXPECT_THROW((void)pageThatBeginsWith(options, "<html>"), std::runtime_error);
 }
 
 }  // namespace xnewell::THIS_FILE
