@@ -47,12 +47,13 @@ class Search {
     }
     while (left_ > 0) {
       Encodings at(size());
-      const std::uint64_t move = below(60);
-      if (kept_.empty() || move < 20) {  // somewhere else
+      const std::uint64_t move = below(120);
+      if (kept_.empty() || move < 40) {  // somewhere else
         const std::uint64_t kind = below(14);
         for (std::size_t k = 0; k < size(); ++k) at[k] = anywhere(k, kind < 7 ? kind : below(7));
+        if (!kept_.empty() && move < 10) at = scaled(kept_[below(kept_.size())].at);
         evaluate(at);
-      } else if (move == 20) {  // a hundred evaluations
+      } else if (move == 40) {  // a hundred evaluations
         stepAlong(kept_[below(1 + below(kept_.size()))], below(size()));
       } else {
         at = kept_[below(1 + below(kept_.size()))].at;
@@ -121,6 +122,17 @@ class Search {
                          : c.low + uniform() * (c.high - c.low);
     const std::int64_t near = c.encode(std::clamp(v, c.low, c.high));
     return kind == 3 ? moved(k, near, static_cast<double>(below(7)) - 3) : near;
+  }
+
+  /// All that are no whole numbers, times a power of two.
+  Encodings scaled(Encodings at) {
+    const double by = std::exp2(static_cast<double>(below(1020)) * sign());
+    for (std::size_t k = 0; k < size(); ++k) {
+      const Coordinate& c = kernel_.input[k];
+      if (c.type != Coordinate::Type::Integer)
+        at[k] = c.encode(std::clamp(by * c.decode(at[k]), c.low, c.high));
+    }
+    return at;
   }
 
   void stepAlong(Seen here, std::size_t k) {
