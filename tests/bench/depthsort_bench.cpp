@@ -54,45 +54,7 @@ Mesh triangleTorus(int count) { return triangulated(torus(sideOf(count), sideOf(
 /// of it, everywhere.
 Mesh soup(int count) { return triangleSoup(count, spacing(count) / 2.0, 1972); }
 Mesh denseSoup(int count) { return triangleSoup(count, spacing(count), 1972); }
-Mesh tinySoup(int count) { return triangleSoup(count, spacing(count) / 5.0, 1972); }
 Mesh largeTriangles(int count) { return triangleSoup(count, 1.0, 1972); }
-
-Mesh crossingTori(int count) {
-  Mesh both = triangleTorus(count / 2);
-  const Mesh other = both;
-  for (const glm::dvec3& p : other.points) both.points.push_back({p.x + 0.7, p.z, -p.y});
-  for (int f = 0; f < other.faceCount(); ++f) {
-    std::vector<int> corners(other.face(f).begin(), other.face(f).end());
-    for (int& c : corners) c += static_cast<int>(other.points.size());
-    both.addFace(corners, 0);
-  }
-  return both;
-}
-
-/// Rows of quadrilaterals, as many rows as columns. Each lies on the next.
-Mesh shingles(int count) {
-  Mesh mesh;
-  mesh.groupNames = {""};
-  const int side = static_cast<int>(std::lround(std::sqrt(count)));
-  const double step = 2.0 / side;
-  for (int i = 0; i < side; ++i)
-    for (int j = 0; j < side; ++j) {
-      const double x = i * step - 1.0, z = j * step - 1.0;
-      const int first = static_cast<int>(mesh.points.size());
-      mesh.points.insert(
-          mesh.points.end(),
-          {{x, 2 * step, z}, {x + step, 2 * step, z}, {x + step, 0, z + 4 * step}, {x, 0, z + 4 * step}});
-      mesh.addFace(std::array{first, first + 1, first + 2, first + 3}, 0);
-    }
-  return mesh;
-}
-
-/// Large sheets that lie nearly in one plane and cross each other.
-Mesh sheets(int count) {
-  Mesh mesh = triangleSoup(count, 1.0, 1972);
-  for (glm::dvec3& p : mesh.points) p.y *= 0.01;
-  return mesh;
-}
 
 Mesh teapot(int count) {
   return triangulated(tessellate(readBpt(XNEWELL_DATA_DIR "/teapot.bpt"),
@@ -149,12 +111,7 @@ constexpr SortSettings kQuick{kWidth, kHeight};
 SCENE(triangleTorus, 1000000);
 SCENE(soup, 1000000);
 SCENE(denseSoup, 1000000);
-SCENE(tinySoup, 1000000);
-SCENE(shingles, 1000000);
-SCENE(teapot, 1000000);
-SCENE(crossingTori, 100000);
 SCENE(largeTriangles, 1000);
-SCENE(sheets, 1000);
 
 /// The same scenes as BSP trees. The time is that of building a tree; `walk_ms` is that of walking it, which
 /// is what a tree of the world would cost in each view. `newell_ms` is the depth sort of the same scene, in
@@ -191,16 +148,7 @@ void BM_BspTree(benchmark::State& state, Mesh (*make)(int)) {
   state.counters["bytes"] = static_cast<double>(bytes) / polygons;
   state.counters["polygons"] = polygons;
 }
-#define TREE(name, most)                    \
-  BENCHMARK_CAPTURE(BM_BspTree, name, name) \
-      ->RangeMultiplier(10)                 \
-      ->Range(1000, most)                   \
-      ->Unit(benchmark::kMillisecond)
-TREE(triangleTorus, 100000);
-TREE(soup, 10000);
-TREE(shingles, 10000);
-TREE(teapot, 10000);
-TREE(crossingTori, 10000);
+BENCHMARK_CAPTURE(BM_BspTree, teapot, teapot)->Arg(10000)->Unit(benchmark::kMillisecond);
 
 /// The quick run with events against the same without, in turns, so that a machine that slows down slows
 /// both. Expect at most 1.1 times the time, and some pairs a polygon of 12 bytes each.

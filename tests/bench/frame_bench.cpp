@@ -1,10 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "geometry/model/solids.h"
-#include "shading/color/png.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/units.h"
 #include "tests/bench/least.h"
@@ -25,31 +21,12 @@ void reportShares(benchmark::State& state, const StageTimes& sum, const Picture&
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(picture.snapped().faces.size()));
 }
 
-PictureCache torusPictures(int side) {
-  return PictureCache{makeScene("torus", triangulated(torus(side, side)), UpAxis::Z)};
-}
-
 void add(StageTimes& sum, const StageTimes& t) {
   sum.shade += t.shade;
   sum.transform += t.transform;
   sum.sort += t.sort;
   sum.fill += t.fill;
 }
-
-// The first frame of a scene at 800x600, with everything: expect linear time, plus that of the image itself.
-void BM_WholeFrame(benchmark::State& state) {
-  const PictureCache fresh = torusPictures(static_cast<int>(state.range(0)));
-  StageTimes sum;
-  PictureCache pictures = fresh;
-  for (auto _ : state) {
-    state.PauseTiming();
-    pictures = fresh;
-    state.ResumeTiming();
-    add(sum, pictures.make({}, 0).times());
-  }
-  reportShares(state, sum, pictures.last());
-}
-BENCHMARK(BM_WholeFrame)->Arg(22)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
 
 /// Makes frames while the eye moves by a degree, with everything that such a frame needs. Returns the sum of
 /// their stages.
@@ -64,14 +41,6 @@ StageTimes moveEye(benchmark::State& state, PictureCache& pictures, PictureSetti
   return sum;
 }
 
-// The next frame while the eye moves: the specular term, the transformation, the order and the painting.
-void BM_MovingFrame(benchmark::State& state) {
-  PictureCache pictures = torusPictures(static_cast<int>(state.range(0)));
-  const StageTimes sum = moveEye(state, pictures, {});
-  reportShares(state, sum, pictures.last());
-}
-BENCHMARK(BM_MovingFrame)->Arg(22)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
-
 void ofAFrame(benchmark::internal::Benchmark* frame) {
   frame->Unit(benchmark::kMillisecond)->ComputeStatistics("least", least);
 }
@@ -80,21 +49,17 @@ void ofAFrame(benchmark::internal::Benchmark* frame) {
 // method costs beyond flat shading is what it requires. The exact order costs its sort and its planes.
 template <Shading kShading, Order kOrder>
 void BM_Frame64k(benchmark::State& state) {
-  PictureCache pictures = torusPictures(180);
+  PictureCache pictures{makeScene("torus", triangulated(torus(180, 180)), UpAxis::Z)};
   PictureSettings settings;
   settings.shading = kShading;
   settings.order = kOrder;
   const StageTimes sum = moveEye(state, pictures, settings);
   reportShares(state, sum, pictures.last());
 }
-BENCHMARK(BM_Frame64k<Shading::Flat, Order::ZSort>)->Apply(ofAFrame);
 BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::ZSort>)->Apply(ofAFrame);
 BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::Newell>)->Apply(ofAFrame);
-BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::ZBuffer16>)->Apply(ofAFrame);
 BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::ZBuffer24>)->Apply(ofAFrame);
-BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::ZBuffer32>)->Apply(ofAFrame);
 BENCHMARK(BM_Frame64k<Shading::Phong, Order::ZSort>)->Apply(ofAFrame);
-BENCHMARK(BM_Frame64k<Shading::Environment, Order::ZSort>)->Apply(ofAFrame);
 
 /// The things that a scene may require, one after the other.
 struct Requirement {
@@ -121,13 +86,6 @@ constexpr std::array kRequirements{
                   scene.light.lights = {{}, pointLight(1)};
                 }},
     Requirement{"ThreeChannels", [](Scene&, PictureSettings& s) { s.colors = ColorPlan::Cube; }},
-    Requirement{"VertexNormals", [](Scene&, PictureSettings& s) { s.shading = Shading::Gouraud; }},
-    Requirement{"PixelNormals", [](Scene&, PictureSettings& s) { s.shading = Shading::Phong; }},
-    Requirement{"PixelNormalsAndPlaces",
-                [](Scene& scene, PictureSettings& s) {
-                  s.shading = Shading::Phong;
-                  scene.light.lights = {{}, pointLight(1)};
-                }},
 };
 
 // A flat frame of 64,800 triangles while the eye moves, by what the scene requires. A scene that does not use
@@ -150,46 +108,6 @@ const int kRegistered = [] {
         ->Apply(ofAFrame);
   return 0;
 }();
-
-// Environment mapping of scenes in which some intensity is above 1, and of the same scenes without
-// highlights, where none is and nothing is counted. The time includes making the maps and filling. `clamped`:
-// number of samples clamped.
-void BM_EnvironmentClamped(benchmark::State& state, const char* name, double highlights) {
-  Scene scene = readScene(name);
-  PictureSettings settings = scene.settings;
-  settings.camera = scene.camera;
-  settings.shading = Shading::Environment;
-  settings.order = Order::ZSort;
-  settings.light.ks *= highlights;
-  const Picture picture = makePicture(std::move(scene), settings);
-  std::int64_t clamped = 0;
-  for (auto _ : state) clamped = picture.paint(0).clamped;
-  state.counters["clamped"] = static_cast<double>(clamped);
-}
-BENCHMARK_CAPTURE(BM_EnvironmentClamped, teapot, "teapot", 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_EnvironmentClamped, teapotDull, "teapot", 0.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_EnvironmentClamped, saturated, "saturated", 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_EnvironmentClamped, saturatedDull, "saturated", 0.0)->Unit(benchmark::kMillisecond);
-
-// Everything that `xnewell draw` does with an OBJ file, from reading to PNG: 64,800 triangles with six
-// decimals.
-void BM_DrawObj(benchmark::State& state) {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "xnewell_draw_bench.obj";
-  {
-    const Mesh mesh = triangulated(torus(180, 180));
-    std::ofstream out{file};
-    out << std::fixed;
-    for (const glm::dvec3& p : mesh.points) out << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
-    for (int f = 0; f < mesh.faceCount(); ++f)
-      out << "f " << mesh.face(f)[0] + 1 << ' ' << mesh.face(f)[1] + 1 << ' ' << mesh.face(f)[2] + 1 << '\n';
-  }
-  for (auto _ : state) {
-    const Picture picture = makePicture(readScene(file.string()), {}, 0);
-    benchmark::DoNotOptimize(encodePng(picture.image(), makePalette(CellPlan{}, picture.table())));
-  }
-  std::filesystem::remove(file);
-}
-BENCHMARK(BM_DrawObj)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
 #include "tests/x11/support/x_server.h"
 
@@ -13,25 +12,22 @@ namespace xnewell {
 
 // The time from a key to the picture on the server, ending in a round trip. The picture is the teapot of
 // 7,300 polygons with exact order and Gouraud shading, 656 x 560. `turn` makes everything again; `hue` only
-// stores colours, if there is a colormap to store them in; `hover` draws the window again with the same
-// picture; `step` goes through the depth sort, and `explain` through the pixels of view 8. The last three are
-// of view 9: `number` changes where the eye is, `outside` turns the view from outside, and `stage` goes from
-// stage to stage.
+// stores colours, if there is a colormap to store them in; `explain` goes through the pixels of view 8;
+// `number` changes where the eye is in view 9.
 
 namespace {
 
 struct Window {
-  explicit Window(int depth, int width = 1024, int height = 768, int divisions = 13)
-      : server{XServer::xvfb(depth, std::max(width, 1280), std::max(height, 1024))} {
+  explicit Window(int depth, int divisions = 13) : server{XServer::xvfb(depth, 1280, 1024)} {
     ::setenv("DISPLAY", server.name().c_str(), 1);
     Options options;
     options.picture.shading = Shading::Gouraud;
     options.picture.order = Order::Newell;
     Scene scene = readScene("teapot", divisions);
     ours.emplace(options, scene);
-    canvas.emplace(ours->display.get(), ours->colormap, Canvas::Settings{.width = width, .height = height});
+    canvas.emplace(ours->display.get(), ours->colormap, Canvas::Settings{.width = 1024, .height = 768});
     bench.emplace(std::move(scene), ours->setupOf(options), ours->forBench());
-    bench->resize(width, height);
+    bench->resize(1024, 768);
     canvas->map();
     shown();
   }
@@ -69,27 +65,6 @@ void hue(benchmark::State& state) {
   }
 }
 
-void hover(benchmark::State& state) {
-  Window window{static_cast<int>(state.range(0))};
-  const Rect& at = window.bench->layout().controls;
-  int y = 0;
-  for (auto _ : state) {
-    window.bench->hover(at.x + 100, at.y + 220 + (y += 21) % 420);
-    window.shown();
-  }
-}
-
-/// A step of the depth sort forward, in its view.
-void step(benchmark::State& state) {
-  Window window{static_cast<int>(state.range(0))};
-  press(*window.bench, '2');
-  window.shown();
-  for (auto _ : state) {
-    window.bench->press({NamedKey::Right});
-    window.shown();
-  }
-}
-
 /// Another pixel in view 8, and so another explanation: the time from a press in the picture to its page.
 void explain(benchmark::State& state) {
   Window window{static_cast<int>(state.range(0))};
@@ -107,55 +82,24 @@ void explain(benchmark::State& state) {
   state.SetLabel(window.bench->bench().status());
 }
 
-/// View 9 in a window of this size, with the teapot as the program opens it.
-struct ViewingWindow : Window {
-  explicit ViewingWindow(const benchmark::State& state)
-      : Window{static_cast<int>(state.range(0)), static_cast<int>(state.range(1)),
-               static_cast<int>(state.range(2)), 8} {
-    press(*bench, '9');
-    shown();
-  }
-  /// Presses one of two keys by turns, so that the scene stays in view.
-  void measure(benchmark::State& state, NamedKey there, NamedKey back, int times) {
-    int k = 0;
-    for (auto _ : state) {
-      bench->press({k++ / times % 2 == 0 ? there : back});
-      shown();
-    }
-    state.SetLabel(bench->bench().status());
-  }
-};
-
+/// Another number in view 9, there and back, so that the scene stays in view.
 void number(benchmark::State& state) {
-  ViewingWindow window{state};
+  Window window{static_cast<int>(state.range(0)), 8};
+  press(*window.bench, '9');
   press(*window.bench, 'p');
-  window.measure(state, NamedKey::Right, NamedKey::Left, 20);
-}
-
-void outside(benchmark::State& state) {
-  ViewingWindow window{state};
-  press(*window.bench, 't');
-  window.measure(state, NamedKey::Right, NamedKey::Left, 20);
-}
-
-void stage(benchmark::State& state) {
-  ViewingWindow window{state};
-  window.measure(state, NamedKey::Right, NamedKey::Left, 6);
+  window.shown();
+  int k = 0;
+  for (auto _ : state) {
+    window.bench->press({k++ / 20 % 2 == 0 ? NamedKey::Right : NamedKey::Left});
+    window.shown();
+  }
+  state.SetLabel(window.bench->bench().status());
 }
 
 BENCHMARK(turn)->Arg(8)->Arg(24)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(hue)->Arg(8)->Arg(24)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(hover)->Arg(8)->Arg(24)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(step)->Arg(8)->Arg(24)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(explain)->Arg(8)->Arg(24)->Unit(benchmark::kMillisecond)->UseRealTime();
-void inSizes(benchmark::internal::Benchmark* b) {
-  for (const int depth : {8, 24})
-    for (const auto& [width, height] : {std::pair{1024, 768}, {1920, 1080}}) b->Args({depth, width, height});
-  b->Unit(benchmark::kMillisecond)->UseRealTime();
-}
-BENCHMARK(number)->Apply(inSizes);
-BENCHMARK(outside)->Apply(inSizes);
-BENCHMARK(stage)->Apply(inSizes);
+BENCHMARK(number)->Arg(8)->Arg(24)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 

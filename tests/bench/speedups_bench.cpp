@@ -64,18 +64,6 @@ void plain(const Object& o, Points&, int degrees, std::vector<float>& colors) {
   }
 }
 
-/// The same, but the light's length is known: one square root less.
-void unitLight(const Object& o, Points&, int degrees, std::vector<float>& colors) {
-  const glm::mat3 turn = turnedBy(degrees);
-  const glm::vec3 L = glm::normalize(o.light);
-  for (std::size_t f = 0; f < colors.size(); ++f) {
-    const glm::vec3 a = turn * o.points[3 * f], b = turn * o.points[3 * f + 1],
-                    c = turn * o.points[3 * f + 2];
-    const glm::vec3 N = glm::cross(b - a, c - a);
-    colors[f] = kMaxColor * std::max(0.0f, glm::dot(N, L) / std::sqrt(glm::dot(N, N)));
-  }
-}
-
 void unitNormals(const Object& o, Points& N) {
   for (const glm::vec3& n : o.normals) N.push_back(glm::normalize(n));
 }
@@ -90,23 +78,6 @@ void turnedNormals(const Object& o, Points& N, int degrees, std::vector<float>& 
 void scaledNormals(const Object& o, Points& N) {
   for (const glm::vec3& n : o.normals) N.push_back(kMaxColor * glm::normalize(n));
 }
-/// The same with normals of length max_col: one product less.
-void prescaledNormals(const Object& o, Points& N, int degrees, std::vector<float>& colors) {
-  const glm::mat3 turn = turnedBy(degrees);
-  const glm::vec3 L = glm::normalize(o.light);
-  for (std::size_t f = 0; f < colors.size(); ++f) colors[f] = std::max(0.0f, glm::dot(turn * N[f], L));
-}
-
-/// The same, but each frame turns the normals a little further, so errors add up.
-void turnedOn(const Object& o, Points& N, int degrees, std::vector<float>& colors) {
-  if (degrees > 0) {
-    const glm::mat3 turn = turnedBy(1);
-    for (glm::vec3& n : N) n = turn * n;
-  }
-  const glm::vec3 L = glm::normalize(o.light);
-  for (std::size_t f = 0; f < colors.size(); ++f) colors[f] = std::max(0.0f, glm::dot(N[f], L));
-}
-
 /// Turns the light back instead. This is not in the tutorials.
 void turnedLight(const Object& o, Points& N, int degrees, std::vector<float>& colors) {
   const glm::vec3 L = glm::transpose(turnedBy(degrees)) * glm::normalize(o.light);
@@ -141,14 +112,9 @@ void BM_Speedup(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(colors.size()));
 }
 BENCHMARK(BM_Speedup<nothing, plain>)->Name("BM_SpeedupPlain")->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_Speedup<nothing, unitLight>)->Name("BM_SpeedupUnitLight")->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_Speedup<unitNormals, turnedNormals>)
     ->Name("BM_SpeedupTurnedNormals")
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_Speedup<scaledNormals, prescaledNormals>)
-    ->Name("BM_SpeedupPrescaledNormals")
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_Speedup<scaledNormals, turnedOn>)->Name("BM_SpeedupTurnedOn")->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_Speedup<scaledNormals, turnedLight>)
     ->Name("BM_SpeedupTurnedLight")
     ->Unit(benchmark::kMicrosecond);

@@ -1,328 +1,173 @@
 #include "tests/kernels/search.h"
 
 #include <algorithm>
+#include <bit>
 #include <cfenv>
-#include <set>
+#include <cmath>
+#include <random>
 
 namespace xnewell {
 
 const std::array<RoundingMode, 4> kRoundingModes{
     {{FE_TONEAREST, "nearest"}, {FE_UPWARD, "up"}, {FE_DOWNWARD, "down"}, {FE_TOWARDZERO, "zero"}}};
 
+std::int64_t Coordinate::encode(double v) const {
+  if (type == Type::Integer) return std::llround(v);
+  const std::int64_t least = type == Type::Float ? INT32_MIN : INT64_MIN;
+  const std::int64_t bits = type == Type::Float ? std::bit_cast<std::int32_t>(static_cast<float>(v))
+                                                : std::bit_cast<std::int64_t>(v);
+  return bits >= 0 ? bits : least - bits;
+}
+
+double Coordinate::decode(std::int64_t n) const {
+  if (type == Type::Integer) return static_cast<double>(n);
+  if (type == Type::Double) return std::bit_cast<double>(n >= 0 ? n : INT64_MIN - n);
+  return std::bit_cast<float>(static_cast<std::int32_t>(n >= 0 ? n : INT32_MIN - n));
+}
+
 namespace {
 
-/// Sets a rounding mode and goes back to the nearest at its end.
-class InRoundingMode {
- public:
-  explicit InRoundingMode(int mode) { std::fesetround(mode); }
-  ~InRoundingMode() { std::fesetround(FE_TONEAREST); }
-  InRoundingMode(const InRoundingMode&) = delete;
-  InRoundingMode& operator=(const InRoundingMode&) = delete;
-};
-
 using Encodings = std::vector<std::int64_t>;
-
-/// A box of encodings and the worst input that was seen in it.
-struct Box {
-  Encodings low, high;
-  double share = 0;
-  Encodings worst;
-};
-struct LessBad {
-  bool operator()(const Box& a, const Box& b) const { return a.share < b.share; }
-};
 
 struct Seen {
   double share;
   Encodings at;
 };
 
-constexpr std::size_t kKept = 24;        ///< worst inputs that are followed
-constexpr std::size_t kMostBoxes = 512;  ///< the less bad ones are forgotten
-constexpr int kInHalf = 4;               ///< samples in each half of a box
-
 class Search {
  public:
   Search(const Kernel& kernel, const RoundingMode& mode, int evaluations, std::uint64_t seed)
-      : kernel_{kernel}, mode_{mode}, left_{evaluations}, random_{seed} {
-    for (const Coordinate& c : kernel.input) {
-      low_.push_back(c.encode(c.low));
-      high_.push_back(c.encode(c.high));
-    }
-  }
+      : kernel_{kernel}, mode_{mode}, left_{evaluations}, rng_{seed} {}
 
-  Worst worst() {
-    const int all = left_;
-    sample(all - all * 3 / 10);
-    constexpr int kRounds = 3;
-    for (int round = 1; round <= kRounds; ++round) {
-      const int until = all * 7 / 10 - all * 6 / 10 * round / kRounds;
-      bisect(until + (left_ - until) / 2);
-      step(until);
+  Worst worst(const std::vector<Numbers>& start) {
+    for (const Numbers& input : start) {
+      Encodings at;
+      for (std::size_t k = 0; k < size(); ++k) at.push_back(kernel_.input[k].encode(input[k]));
+      evaluate(at);
     }
-    sweep();
-    Worst worst;
-    if (!kept_.empty()) worst = {kept_.front().share, decoded(kept_.front().at)};
-    return worst;
+    while (left_ > 0) {
+      Encodings at(size());
+      const std::uint64_t move = below(120);
+      if (kept_.empty() || move < 40) {  // somewhere else
+        const std::uint64_t kind = below(14);
+        for (std::size_t k = 0; k < size(); ++k) at[k] = anywhere(k, kind < 7 ? kind : below(7));
+        if (!kept_.empty() && move < 10) at = scaled(kept_[below(kept_.size())].at);
+        evaluate(at);
+      } else if (move == 40) {  // a hundred evaluations
+        stepAlong(kept_[below(1 + below(kept_.size()))], below(size()));
+      } else {
+        at = kept_[below(1 + below(kept_.size()))].at;
+        for (std::uint64_t n = 1 + below(3); n > 0; --n) {
+          const std::size_t k = below(size());
+          const std::uint64_t how = below(8);
+          at[k] = how == 0   ? anywhere(k, below(7))
+                  : how == 1 ? kept_[below(kept_.size())].at[k]
+                             : moved(k, at[k], (how < 5 ? 1 : uniform()) * std::exp2(below(63)) * sign());
+        }
+        evaluate(at);
+      }
+    }
+    if (kept_.empty()) return {};
+    return {kept_.front().share, decoded(kept_.front().at)};
   }
 
  private:
   [[nodiscard]] std::size_t size() const { return kernel_.input.size(); }
+  std::uint64_t below(std::uint64_t end) { return rng_() % end; }
+  double uniform() { return static_cast<double>(rng_() >> 11) * 0x1p-53; }
+  double sign() { return below(2) ? 1 : -1; }
 
   [[nodiscard]] Numbers decoded(const Encodings& at) const {
-    Numbers input(at.size());
-    for (std::size_t k = 0; k < at.size(); ++k) input[k] = kernel_.input[k].decode(at[k]);
+    Numbers input;
+    for (std::size_t k = 0; k < size(); ++k) input.push_back(kernel_.input[k].decode(at[k]));
     return input;
   }
 
   double evaluate(const Encodings& at) {
+    constexpr std::size_t kKept = 24;  // the worst, that are followed
     --left_;
     const double share = shareAt(kernel_, decoded(at), mode_);
-    if (share > 0 && (kept_.size() < kKept || share > kept_.back().share)) {
-      const bool known = std::ranges::any_of(kept_, [&](const Seen& s) { return s.at == at; });
-      if (!known) {
-        const auto place = std::ranges::upper_bound(kept_, share, std::greater{}, &Seen::share);
-        kept_.insert(place, {share, at});
-        if (kept_.size() > kKept) kept_.pop_back();
-      }
+    if (share > 0 && (kept_.size() < kKept || share > kept_.back().share) &&
+        std::ranges::find(kept_, at, &Seen::at) == kept_.end()) {
+      kept_.insert(std::ranges::upper_bound(kept_, share, std::greater{}, &Seen::share), {share, at});
+      if (kept_.size() > kKept) kept_.pop_back();
     }
     return share;
   }
 
-  /// Evaluates a random input of each kind until that many evaluations are left.
-  void sample(int until) {
-    for (unsigned kind = 0; left_ > until; ++kind) {
-      const std::size_t hard = kernel_.hard.size();
-      Encodings at(size());
-      // Two in three are the kernel's own, if it has any.
-      if (hard > 0 && kind % 3 != 0) {
-        const Numbers input = kernel_.hard[random_.below(hard)](random_);
-        for (std::size_t k = 0; k < size(); ++k)
-          at[k] = kernel_.input[k].encode(std::clamp(input[k], kernel_.input[k].low, kernel_.input[k].high));
-      } else {
-        const bool mixed = random_.oneIn(2);
-        const unsigned same = static_cast<unsigned>(random_.below(7));
-        for (std::size_t k = 0; k < size(); ++k) at[k] = anywhere(k, mixed ? random_.below(7) : same);
-      }
-      evaluate(at);
-    }
+  /// The encoding at that distance, or the end of the range.
+  [[nodiscard]] std::int64_t moved(std::size_t k, std::int64_t at, double by) const {
+    const Coordinate& c = kernel_.input[k];
+    const double to = static_cast<double>(at) + by;
+    const std::int64_t low = c.encode(c.low), high = c.encode(c.high);
+    if (to <= static_cast<double>(low)) return low;
+    if (to >= static_cast<double>(high)) return high;
+    return std::clamp(at + static_cast<std::int64_t>(by), low, high);
   }
 
   /// A number of the k-th range that is hard for most kernels.
   std::int64_t anywhere(std::size_t k, std::uint64_t kind) {
     const Coordinate& c = kernel_.input[k];
     const double most = std::max(std::abs(c.low), std::abs(c.high));
-    double v = 0;
-    switch (kind) {
-      case 0:
-        return random_.integer(low_[k], high_[k]);
-      case 1:
-        v = random_.oneIn(2) ? c.low : c.high;
-        break;
-      case 2:  // a decimal number of a file
-        v = std::round(random_.uniform(std::max(-1e6, c.low), std::min(1e6, c.high)) * 1000) / 1000;
-        break;
-      case 3: {  // next to a power of two
-        const double power = std::ldexp(random_.sign(), static_cast<int>(random_.integer(-1074, 1023)));
-        if (std::abs(power) > most) {
-          v = std::ldexp(random_.sign(),
-                         static_cast<int>(random_.integer(-60, std::max(-60, std::ilogb(most)))));
-        } else {
-          v = power;
-        }
-        const double inside = std::clamp(v, c.low, c.high);
-        return std::clamp(c.encode(inside) + random_.integer(-3, 3), low_[k], high_[k]);
-      }
-      case 4:  // an exponential length from an end
-        v = random_.oneIn(2) ? c.low + most * random_.power(-60, 0) : c.high - most * random_.power(-60, 0);
-        break;
-      case 5:  // a denormal number, or the neighbours of 0
-        v = random_.sign() *
-            std::ldexp(static_cast<double>(random_.below(9)), -1074 + static_cast<int>(random_.below(53)));
-        break;
-      default:
-        v = random_.uniform(c.low / 2, c.high / 2) * 2;
-        break;
+    if (kind == 0) {  // any exponent
+      const auto low = static_cast<std::uint64_t>(c.encode(c.low));
+      return static_cast<std::int64_t>(low + below(static_cast<std::uint64_t>(c.encode(c.high)) - low + 1));
     }
-    return c.encode(std::clamp(v, c.low, c.high));
+    const double v = kind == 1   ? below(2) ? c.low : c.high
+                     : kind == 2 ? std::round((c.low + uniform() * (c.high - c.low)) * 1000) / 1000
+                     : kind == 3 ? std::ldexp(sign(), static_cast<int>(below(90)) - 60)
+                     : kind == 4 ? (below(2) ? c.low : c.high) + most * std::exp2(-60 * uniform()) * sign()
+                     : kind == 5
+                         ? 15 * std::round(48 * uniform() - 24) + std::exp2(4 - 60 * uniform()) * sign()
+                         : c.low + uniform() * (c.high - c.low);
+    const std::int64_t near = c.encode(std::clamp(v, c.low, c.high));
+    return kind == 3 ? moved(k, near, static_cast<double>(below(7)) - 3) : near;
   }
 
-  /// A random place of a box. One in two differs from its worst place in one or two coordinates only.
-  Encodings within(const Box& box) {
-    Encodings at(size());
-    if (!box.worst.empty() && random_.oneIn(2)) {
-      for (std::size_t k = 0; k < size(); ++k) at[k] = std::clamp(box.worst[k], box.low[k], box.high[k]);
-      for (int n = 0; n < 2; ++n) {
-        const std::size_t k = random_.below(size());
-        at[k] = random_.integer(box.low[k], box.high[k]);
-      }
-      return at;
+  /// All that are no whole numbers, times a power of two.
+  Encodings scaled(Encodings at) {
+    const double by = std::exp2(static_cast<double>(below(1020)) * sign());
+    for (std::size_t k = 0; k < size(); ++k) {
+      const Coordinate& c = kernel_.input[k];
+      if (c.type != Coordinate::Type::Integer)
+        at[k] = c.encode(std::clamp(by * c.decode(at[k]), c.low, c.high));
     }
-    for (std::size_t k = 0; k < size(); ++k) at[k] = random_.integer(box.low[k], box.high[k]);
     return at;
   }
 
-  [[nodiscard]] std::uint64_t width(const Box& box, std::size_t k) const {
-    return static_cast<std::uint64_t>(box.high[k]) - static_cast<std::uint64_t>(box.low[k]);
-  }
-
-  /// The encodings within `half` of a place.
-  [[nodiscard]] Box around(const Seen& seen, std::int64_t half) const {
-    Box box{seen.at, seen.at, seen.share, seen.at};
-    for (std::size_t k = 0; k < size(); ++k) {
-      const auto below = static_cast<std::uint64_t>(seen.at[k]) - static_cast<std::uint64_t>(low_[k]);
-      const auto above = static_cast<std::uint64_t>(high_[k]) - static_cast<std::uint64_t>(seen.at[k]);
-      box.low[k] = below > static_cast<std::uint64_t>(half) ? seen.at[k] - half : low_[k];
-      box.high[k] = above > static_cast<std::uint64_t>(half) ? seen.at[k] + half : high_[k];
-    }
-    return box;
-  }
-
-  void bisect(int until) {
-    std::multiset<Box, LessBad> boxes;
-    boxes.insert({low_, high_, kept_.empty() ? 0.0 : kept_.front().share, {}});
-    for (const Seen& seen : kept_)
-      for (const int exponent : {50, 30, 12}) boxes.insert(around(seen, std::int64_t{1} << exponent));
-    while (left_ > until && !boxes.empty()) {
-      const Box box = *std::prev(boxes.end());
-      boxes.erase(std::prev(boxes.end()));
-      // Cut one of the widest coordinates.
-      std::size_t widest = random_.below(size());
-      for (std::size_t k = 0; k < size(); ++k)
-        if (std::bit_width(width(box, k)) > std::bit_width(width(box, widest))) widest = k;
-      if (width(box, widest) == 0) continue;
-      const auto middle =
-          static_cast<std::int64_t>(static_cast<std::uint64_t>(box.low[widest]) + width(box, widest) / 2);
-      for (const bool upper : {false, true}) {
-        Box half = box;
-        (upper ? half.low : half.high)[widest] = upper ? middle + 1 : middle;
-        const bool holdsWorst = !box.worst.empty() && (box.worst[widest] > middle) == upper;
-        if (!holdsWorst) half.share = 0, half.worst.clear();
-        for (int n = 0; n < kInHalf; ++n) {
-          const Encodings at = within(half);
-          const double share = evaluate(at);
-          if (half.worst.empty() || share > half.share) half.share = share, half.worst = at;
-        }
-        boxes.insert(std::move(half));
-      }
-      if (boxes.size() > kMostBoxes) boxes.erase(boxes.begin());
-    }
-  }
-
-  /// The worst input takes half of the evaluations, the next a quarter, and so on.
-  void step(int until) {
-    constexpr std::size_t kFollowed = 4;
-    const std::vector<Seen> from{
-        kept_.begin(), kept_.begin() + static_cast<std::ptrdiff_t>(std::min(kFollowed, kept_.size()))};
-    for (std::size_t rank = 0; rank < from.size(); ++rank) {
-      Seen here = from[rank];
-      const int end = rank + 1 == from.size() ? until : until + (left_ - until) / 2;
-      while (left_ > end) random_.oneIn(2) ? stepAlong(here, end) : stepAside(here);
-    }
-  }
-
-  [[nodiscard]] int bitsOf(std::size_t k) const {
-    return static_cast<int>(
-        std::bit_width(static_cast<std::uint64_t>(high_[k]) - static_cast<std::uint64_t>(low_[k])));
-  }
-
-  /// Steps along one coordinate, by ever smaller powers of two, as long as this makes the error larger.
-  void stepAlong(Seen& here, int end) {
-    const std::size_t k = random_.below(size());
-    const int bits = bitsOf(k);
-    if (bits == 0) return stepAside(here);
-    const int top = std::min(bits, 62) - 1;
-    const int from = random_.oneIn(2) ? top : static_cast<int>(random_.integer(0, top));
-    for (int exponent = from; exponent >= 0; --exponent)
-      for (const bool up : {false, true}) {
-        if (left_ <= end) return;
-        const Box reach = around(here, std::int64_t{1} << exponent);
+  void stepAlong(Seen here, std::size_t k) {
+    for (int exponent = 62 - static_cast<int>(below(40)); exponent >= 0; --exponent)
+      for (const double by : {std::exp2(exponent), -std::exp2(exponent)}) {
         Encodings at = here.at;
-        at[k] = up ? reach.high[k] : reach.low[k];
+        at[k] = moved(k, at[k], by);
+        if (left_ <= 0 || at == here.at) continue;
         const double share = evaluate(at);
         if (share > here.share) here = {share, at};
       }
   }
 
-  /// Steps along up to three coordinates at once.
-  void stepAside(Seen& here) {
-    Encodings at = here.at;
-    for (auto n = random_.below(3) + 1; n > 0; --n) {
-      const std::size_t k = random_.below(size());
-      const int bits = bitsOf(k);
-      if (bits == 0) continue;
-      const Box reach =
-          around(here, std::int64_t{1} << random_.below(static_cast<std::uint64_t>(std::min(bits, 62))));
-      at[k] = random_.oneIn(2)   ? random_.integer(reach.low[k], reach.high[k])
-              : random_.oneIn(2) ? reach.low[k]
-                                 : reach.high[k];
-    }
-    const double share = evaluate(at);
-    if (share >= here.share) here = {share, at};
-  }
-
-  /// All encodings next to the worst input: each coordinate by itself, then all at once, as far as the
-  /// evaluations go.
-  void sweep() {
-    if (kept_.empty()) return;
-    const Encodings centre = kept_.front().at;
-    const std::int64_t along = left_ / (4 * static_cast<std::int64_t>(size()));
-    for (std::size_t k = 0; k < size(); ++k)
-      for (std::int64_t by = -along; by <= along; ++by) {
-        Encodings at = centre;
-        if (by == 0 || !add(at, k, by)) continue;
-        evaluate(at);
-      }
-    // The largest cube of which there is time for all.
-    const Encodings best = kept_.front().at;
-    std::int64_t reach = 0;
-    while (std::pow(2 * reach + 3, size()) <= left_) ++reach;
-    if (reach == 0) return;
-    Encodings offset(size(), -reach);
-    for (;;) {
-      Encodings at = best;
-      bool inside = true;
-      for (std::size_t k = 0; k < size(); ++k) inside = inside && add(at, k, offset[k]);
-      if (inside) evaluate(at);
-      std::size_t k = 0;
-      while (k < size() && ++offset[k] > reach) offset[k++] = -reach;
-      if (k == size()) return;
-    }
-  }
-
-  /// False if the sum is out of range.
-  bool add(Encodings& at, std::size_t k, std::int64_t by) const {
-    if (by > 0 ? at[k] > high_[k] - by : at[k] < low_[k] - by) return false;
-    at[k] += by;
-    return true;
-  }
-
   const Kernel& kernel_;
   const RoundingMode& mode_;
   int left_;  ///< evaluations
-  Random random_;
-  Encodings low_, high_;
+  std::mt19937_64 rng_;
   std::vector<Seen> kept_;  ///< the worst first
 };
 
 }  // namespace
 
-double shareAt(const Kernel& kernel, const Numbers& input, const RoundingMode& mode) {
+double shareAt(const Kernel& kernel, In input, const RoundingMode& mode) {
   const Numbers prepared = kernel.prepare ? kernel.prepare(input) : input;
   if (prepared.empty()) return 0;
-  const Numbers result = [&] {
-    const InRoundingMode rounds{mode.mode};
-    return kernel.run(prepared);
-  }();
-  const bool nearest = mode.mode == FE_TONEAREST;
-  if (!nearest && kernel.directed == 0) return 0;
+  std::fesetround(mode.mode);
+  const Numbers result = kernel.run(prepared);
+  std::fesetround(FE_TONEAREST);
   const double share = kernel.judge(prepared, result);
-  if (std::isnan(share)) return kWrong;
-  return share / (nearest ? 1.0 : kernel.directed);
+  return std::isnan(share) ? kWrong : share / (mode.mode == FE_TONEAREST ? 1.0 : kernel.directed);
 }
 
-Worst searchWorst(const Kernel& kernel, const RoundingMode& mode, int evaluations, std::uint64_t seed) {
-  return Search{kernel, mode, evaluations, seed}.worst();
+Worst searchWorst(const Kernel& kernel, const std::vector<Numbers>& start, const RoundingMode& mode,
+                  int evaluations, std::uint64_t seed) {
+  return Search{kernel, mode, evaluations, seed}.worst(start);
 }
 
 }  // namespace xnewell

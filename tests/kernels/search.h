@@ -1,13 +1,73 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <string>
 #include <string_view>
-
-#include "tests/kernels/kernel.h"
+#include <vector>
 
 namespace xnewell {
 
-/// A search for the input of a kernel whose error is the largest share of its bound.
+/// A kernel is a small piece of the program's arithmetic whose header claims a bound for its error. Here we
+/// search for the input whose error is the largest share of the bound.
+
+/// Half of a unit in the last place of 1: the most that a rounding to nearest changes a number, relatively.
+inline constexpr double kU = 0x1p-53, kSingle = 0x1p-24;
+
+using Numbers = std::vector<double>;
+using In = const Numbers&;
+
+/// One number of an input: its type, and the range in which the claim holds.
+struct Coordinate {
+  enum class Type { Double, Float, Integer } type = Type::Double;
+  double low = 0, high = 0;  ///< both inside
+  /// Numbers as integers in the same order: neighbouring numbers are neighbouring integers, so half way
+  /// between two of them lies half way between the exponents. -0 and 0 are both 0.
+  [[nodiscard]] std::int64_t encode(double v) const;
+  [[nodiscard]] double decode(std::int64_t n) const;
+};
+using Inputs = std::vector<Coordinate>;
+inline Inputs doubles(double low, double high) { return {{Coordinate::Type::Double, low, high}}; }
+inline Inputs floats(double low, double high) { return {{Coordinate::Type::Float, low, high}}; }
+inline Inputs integers(double low, double high) { return {{Coordinate::Type::Integer, low, high}}; }
+template <class T>
+std::vector<T> operator+(std::vector<T> a, const std::vector<T>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+inline Inputs operator*(int n, const Inputs& input) {
+  Inputs all;
+  for (; n > 0; --n) all = std::move(all) + input;
+  return all;
+}
+/// Some numbers of an input.
+inline Numbers slice(In in, std::size_t from, std::size_t end) {
+  return {in.begin() + static_cast<std::ptrdiff_t>(from), in.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
+struct Kernel {
+  std::string name;
+  std::string claim;  ///< the header, and its bound
+  Inputs input = {};
+  /// Makes what the program gets of an input, such as unit vectors of any vectors. It always rounds to
+  /// nearest. An empty result stands for an input of which the header claims nothing. Without it, the program
+  /// gets the input itself.
+  Numbers (*prepare)(In) = nullptr;
+  /// The program's own code. It runs in the rounding mode that is searched.
+  Numbers (*run)(In prepared) = nullptr;
+  /// The error, by another kind of arithmetic, as a share of the bound. A kernel that claims to be exact has
+  /// a share above 1 where it is wrong; where it is right, the share says how near to wrong its estimate
+  /// came. An input of which the header claims nothing has the share 0.
+  double (*judge)(In prepared, In result) = nullptr;
+  /// How many times the bound is when the processor does not round to nearest: each rounding may then be off
+  /// by a whole last bit instead of half of one.
+  double directed = 2;
+  double effort = 1;  ///< evaluations, in those of an ordinary kernel
+};
+inline constexpr double kWrong = 1e9;  ///< the share of an exact kernel that is wrong
+
+[[nodiscard]] std::vector<Kernel> geometryKernels();
+[[nodiscard]] std::vector<Kernel> shadingKernels();
 
 struct RoundingMode {
   int mode;  ///< as fesetround() takes it
@@ -18,21 +78,18 @@ extern const std::array<RoundingMode, 4> kRoundingModes;
 
 /// Judges the kernel at one input. Only Kernel::run is in that rounding mode. The result is a share of the
 /// bound that holds in it. A result that is not a number counts as wrong.
-[[nodiscard]] double shareAt(const Kernel& kernel, const Numbers& input, const RoundingMode& mode);
+[[nodiscard]] double shareAt(const Kernel& kernel, In input, const RoundingMode& mode);
 
 struct Worst {
   double share = 0;
   Numbers input;
 };
 
-/// The same effort and seed find the same input. In this order, the search
-///  - takes the kernel's hard inputs, and others that are hard for most kernels: ends of the ranges,
-///    multiples of 1/1000, powers of two and their neighbours, exponential lengths, denormal numbers;
-///  - three times: bisects boxes of encodings, again and again the one in which it saw the largest error,
-///    beginning with the whole range and with the neighbourhoods of the worst inputs so far; then steps from
-///    the worst inputs by powers of two in their encodings, as long as this makes them worse;
-///  - goes through all encodings next to the worst input.
-[[nodiscard]] Worst searchWorst(const Kernel& kernel, const RoundingMode& mode, int evaluations,
-                                std::uint64_t seed);
+/// Begins with the given inputs, and goes on from the worst that it knows: it changes a few numbers, in their
+/// encodings by powers of two, or to numbers that are hard for most kernels, or to those of another bad
+/// input; or it steps along one number for as long as this makes the error larger. The same seed finds the
+/// same.
+[[nodiscard]] Worst searchWorst(const Kernel& kernel, const std::vector<Numbers>& start,
+                                const RoundingMode& mode, int evaluations, std::uint64_t seed);
 
 }  // namespace xnewell

@@ -291,4 +291,15 @@ TEST(SceneFile, NotesCrossingAndBentFaces) {
   EXPECT_TRUE(notes("[[0, 0, 0], [1, 0, 0], [0, 1, 0]]").empty());
 }
 
+// A scene file cut short at any byte is refused, and does no other harm.
+TEST(SceneFile, TruncatedAnywhere) {
+  const std::string whole =
+      R"({"up": "z", "camera": {"eye": [3, 2, 1]}, "ambient": 0.1, "lights": [{"Ip": 0.5}],
+    "shading": {"method": "flat", "table": {"shades": 9}}, "materials": {"m": {"ks": 1}}, "objects": [)" +
+      kTriangle + R"(, {"solid": "cube", "material": "m", "rotate": [1, 2, 3]}]})";
+  EXPECT_EQ(complaint(whole), "no complaint");
+  for (std::size_t n = 0; n < whole.size(); ++n)
+    EXPECT_THROW((void)parsed(whole.substr(0, n)), ParseError) << n;
+}
+
 }  // namespace xnewell::THIS_FILE

@@ -18,32 +18,6 @@ namespace xnewell::THIS_FILE {
 
 /// The program's messages, files and exit status, when something is wrong and when nothing is.
 
-// A bad file gives one line with the file, the line in it and what is wrong. An old picture stays as it was.
-// (malformed_files_test.cpp has the lines of each kind of file.)
-TEST_F(CommandTest, BadScenesAreRefusedInOneLine) {
-  std::filesystem::create_directory(file("folder"));
-  std::filesystem::create_directory(file("folder.obj"));
-  std::ifstream whole{XNEWELL_DATA_DIR "/teapot.bpt"};
-  std::string truncated;
-  for (std::string line; std::getline(whole, line) && truncated.size() < 3000;) truncated += line + "\n";
-
-  refusedToDraw(file("missing.obj"), 1, ": No such file or directory");
-  refusedToDraw(file("folder"), 1, ": Is a directory");
-  refusedToDraw(file("folder.obj"), 1, ": Is a directory");
-  const std::string cut = write("cut.bpt", truncated);
-  EXPECT_TRUE(runProgram({"draw", cut, "-o", file("x")}).err.starts_with("xnewell: " + cut + ":"))
-      << truncated;
-  refusedToDraw(write("two.obj", "v 0 0 0\nf 1 2\n"), 2, ":2: a face needs three vertices; this one has 2");
-  refusedToDraw(write("scene.json", "{}"), 2, ": the scene has no faces");
-  refusedToDraw(write("scene.xyz", kTriangleObj), 2,
-                ": not a scene file: scenes are .json files and models: .obj, .ply, .off, .bpt");
-  refused({"draw", "nosuch", "-o", file("new.png")}, 2,
-          "nosuch: there is no built-in scene of that name; `xnewell scenes` lists them");
-  refused({"nosuch"}, 2,
-          "nosuch: not a command or a built-in scene; `xnewell --help` lists the commands, `xnewell "
-          "scenes` the scenes");
-}
-
 // A message is one line of bounded length, whatever names are in it.
 TEST_F(CommandTest, MessagesAreOneShortLine) {
   const std::string longest(100'000, 'a');
@@ -60,39 +34,9 @@ TEST_F(CommandTest, MessagesAreOneShortLine) {
   }
 }
 
-// Wrong usage gives one line and status 2, and touches no file. (options_complaints_test.cpp has the lines in
-// full.)
-TEST_F(CommandTest, WrongUsageIsStatus2) {
-  const Strings whole{"draw", "teapot", "-o", file("old.png")};
-  refused(whole + Strings{"--nonsense"}, 2, "unknown option '--nonsense'");
-  for (const std::string size : {"0x600", "800x0", "-8x6", "8193x600", "800x8193", "800"})
-    refused(whole + Strings{"--size", size}, 2,
-            "--size: '" + size + "' is not a size WxH from 1x1 to 8192x8192");
-  refused(whole + Strings{"--eye", "nan,0,0"}, 2, "--eye: 'nan,0,0' is not three finite numbers x,y,z");
-  refused(whole + Strings{"--shade", "foggy"}, 2,
-          "--shade: 'foggy' is not one of none, depth, flat, gouraud, phong, envmap");
-  refused(whole + Strings{"--view", "machbands", "--scanline", "261"}, 2,
-          "--scanline: 261 is below the picture: in this view its rows are 0 to 260");
-  refused(whole + Strings{"--texture", "none.png"}, 1, "none.png: No such file or directory");
-  refused(whole + Strings{"--eye", "1,1,1", "--look-at", "1,1,1"}, 2,
-          "the view plane normal is zero; eye and look-at point must differ");
-  refused(whole + Strings{"--up", "0,0,1", "--eye", "0,0,9", "--look-at", "0,0,0"}, 2,
-          "the up vector is zero or along the view plane normal");
-  refused(whole + Strings{"--view-window", "1,-1,0,1"}, 2,
-          "the view window is empty: umin < umax and vmin < vmax are needed");
-  refused(whole + Strings{"--front", "-1", "--back", "1"}, 2,
-          "the front plane must lie nearer than the back plane (larger n)");
-  refused({"figure", "none.obj", "-o", file("old.svg")}, 1, "none.obj: No such file or directory");
-}
-
 // Without a server, a command that needs one fails with one line and status 1. `draw` and `scenes` do not
 // need one.
 TEST_F(CommandTest, NoServerIsStatus1) {
-  const std::string unset = "DISPLAY is not set: start an X server, or name one, for example DISPLAY=:0";
-  refused({}, 1, unset);
-  refused({"view", "cycle"}, 1, unset);
-  refused({"snapshot", "teapot", "-o", file("old.png")}, 1, unset);
-  refused({"visuals"}, 1, unset);
   const Finished none = runProgram({"snapshot", "teapot", "-o", file("new.png")}, "nowhere.invalid:7");
   EXPECT_EQ(none.status, 1);
   EXPECT_TRUE(none.err.starts_with("xnewell: ") && none.err.find('\n') == none.err.size() - 1) << none.err;
@@ -127,34 +71,6 @@ TEST_F(CommandTest, NoForeignTextCommandsATerminal) {
     shown += all.find("\\x1b") != std::string::npos;
   }
   EXPECT_GE(shown, 5);
-}
-
-// The status is 1 if the output has nowhere to go, 1 if its place refuses it, and 0 if the output is
-// swallowed.
-TEST_F(CommandTest, OutputsThatCannotBeWritten) {
-  std::filesystem::create_directory(file("folder"));
-  const auto to = [](const std::string& o) { return Strings{"draw", "cycle", "-o", o}; };
-  refused(to(file("no/such/a.png")), 1, file("no/such/a.png") + ": No such file or directory");
-  refused(to(file("folder")), 1, file("folder") + ": Is a directory");
-  refused(to(file("old.png") + "/a.png"), 1, file("old.png") + "/a.png: Not a directory");
-  refused(to("/dev/full"), 1, "/dev/full: No space left on device");
-  EXPECT_EQ(runProgram(to("/dev/null")).status, 0);
-  const Finished piped = runProgram(to("/dev/stdout"));
-  EXPECT_EQ(runProgram(to(file("a.png"))).status, 0);
-  EXPECT_EQ(piped.out, contents(file("a.png")));
-}
-
-// If either the picture or the face image cannot be written, neither is.
-TEST_F(CommandTest, PictureAndFacesAreWrittenTogether) {
-  const auto to = [](const std::string& o, const std::string& ids) {
-    return Strings{"draw", "cycle", "-o", o, "--ids", ids, "--stats"};
-  };
-  for (const std::string& good : {file("old.png"), file("new.png")}) {
-    refused(to(good, file("no/such/i.png")), 1, file("no/such/i.png") + ": No such file or directory");
-    refused(to(good, "/dev/full"), 1, "/dev/full: No space left on device");
-    refused(to(file("no/such/a.png"), good), 1, file("no/such/a.png") + ": No such file or directory");
-    refused(to("/dev/full", good), 1, "/dev/full: No space left on device");
-  }
 }
 
 // A file beyond the shell's size limit is not left behind. The program gives the reason: no signal kills it.
@@ -384,31 +300,6 @@ TEST_F(CommandTest, CostsAreInTheStatistics) {
   EXPECT_EQ(costs.contains("attenuation"), false);
   // A step that is done alone takes some time. What is a difference of times may be lost in chance.
   EXPECT_GT(costs.at("vertex_normals").get<double>(), 0.0);
-}
-
-// The same command writes the same bytes twice.
-TEST_F(CommandTest, IsDeterministic) {
-  for (const std::string scene : {"teapot", "cycle"}) {
-    const Drawn a = draw(scene), b = draw(scene);
-    EXPECT_EQ(a.png, b.png);
-    EXPECT_EQ(a.ids.rgb, b.ids.rgb);
-  }
-}
-
-// A sort that makes too many pieces ends with one line that says what to do.
-TEST_F(CommandTest, SortsMakeAtMostSoManyFragments) {
-  const std::string advice =
-      " pieces, for the polygons cross too often; --max-fragments allows more, and --order oracle needs none";
-  refused({"draw", "crossing-sheets", "-o", file("new.png"), "--max-fragments", "10"}, 1,
-          "the depth sort needs more than 10" + advice);
-  refused({"trace", "crossing-sheets", "--max-fragments", "20"}, 1,
-          "the depth sort needs more than 20" + advice);
-  refused({"draw", "crossing-sheets", "-o", file("new.png"), "--order", "bsp", "--max-fragments", "10"}, 1,
-          "the BSP tree needs more than 10" + advice);
-  refused({"draw", "teapot", "-o", file("new.png"), "--max-fragments", "0"}, 2,
-          "--max-fragments: '0' is not a whole number from 1 to 1000000000");
-  EXPECT_EQ(runProgram({"draw", "crossing-sheets", "-o", file("new.png"), "--max-fragments", "200"}).status,
-            0);
 }
 
 }  // namespace xnewell::THIS_FILE

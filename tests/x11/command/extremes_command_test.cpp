@@ -25,17 +25,6 @@ TEST_F(CommandTest, ExtremesAreTold) {
     for (const auto& step : way.at("steps")) EXPECT_GE(step.at("samples").get<int>(), 0);
 }
 
-// A set-up that is wrong from the start is told once, above the table, and no way claims to explain it.
-TEST_F(CommandTest, ExtremesTellASetUpThatIsWrong) {
-  const auto end = runProgram({"extremes", "two-cards", "--size", "40x30"});
-  EXPECT_EQ(end.status, 0) << end.err;
-  EXPECT_TRUE(end.out.starts_with("The set-up itself is wrong: a face that is not the nearest at "))
-      << end.out;
-  EXPECT_NE(end.out.find("1 to 2^900          wrong as the set-up itself, at all values\nscaled down"),
-            std::string::npos)
-      << end.out;
-}
-
 // Where numbers are so large that no light can be computed, cells are told wrong, and nothing else happens.
 TEST_F(CommandTest, ExtremesOfAPillarAsLongAsTheWorld) {
   const auto end = runProgram(
@@ -80,24 +69,6 @@ TEST_F(CommandTest, ExtremesNeedNoThread) {
   const Finished end = alone.wait();
   EXPECT_EQ(end.status, 0) << end.err;
   EXPECT_EQ(end.out, runProgram(words).out);
-}
-
-// A chart that cannot be written is an error before anything is measured: the size would take hours.
-TEST_F(CommandTest, ExtremesCheckTheirOutputFirst) {
-  const Strings words{"extremes", "teapot", "--size", "8192x8192", "-o"};
-  refused(words + Strings{file("none/chart.png")}, 1, file("none/chart.png") + ": No such file or directory");
-  std::filesystem::create_directory(file("folder.png"));
-  refused(words + Strings{file("folder.png")}, 1, file("folder.png") + ": Is a directory");
-  refused(words + Strings{file("old.png/chart.png")}, 1, file("old.png/chart.png") + ": Not a directory");
-}
-
-TEST_F(CommandTest, ExtremesRefuseWhatTheyDoNotTake) {
-  refused({"extremes"}, 2, "extremes needs a scene, such as teapot");
-  refused({"draw", "cycle", "-o", file("new.png"), "--json"}, 2,
-          "--json works only with explain, trade, extremes, diagnose and judge");
-  refused({"extremes", "cycle", "-o", file("new.svg")}, 2,
-          "-o " + file("new.svg") + ": pictures are PNG files; call it .png");
-  refused({"extremes", "cycle", "--stats"}, 2, "--stats works only with draw, snapshot and figure");
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -121,14 +121,4 @@ TEST_F(FigureCommandTest, ReopensAsAScene) {
   EXPECT_NE(bare.err.find("the picture carries no set-up"), std::string::npos) << bare.err;
 }
 
-// A figure that cannot be made leaves the old file as it was.
-TEST_F(FigureCommandTest, KeepsTheOldFile) {
-  const std::string old = write("old.svg", "mine");
-  const Finished tooMany = runProgram({"figure", "teapot", "--max-fragments", "10", "-o", old});
-  EXPECT_EQ(tooMany.status, 1);
-  EXPECT_NE(tooMany.err.find("--order zsort needs none"), std::string::npos) << tooMany.err;
-  EXPECT_EQ(runProgram({"figure", "teapot", "--order", "oracle", "-o", old}).status, 2);
-  EXPECT_EQ(contents(old), "mine");
-}
-
 }  // namespace xnewell::THIS_FILE

@@ -42,61 +42,6 @@ TEST_F(LessonCommand, FramesAreAsLargeAsTheWindowIsAtFirst) {
   EXPECT_EQ(readPng(file("f/0006-step.png")).height, 768);
 }
 
-// A lesson file of the user's own works. Its scenes are looked for in its folder.
-TEST_F(LessonCommand, AFileIsALesson) {
-  write("bare.obj", kTriangleObj);
-  write(
-      "own.json",
-      R"({"title": "own", "steps": [{"heading": "One", "caption": ["It has {polygons} polygon."], "scene": "bare.obj"}]})");
-  const Finished end = runProgram({"lesson", file("own.json"), "--frames", file("f")});
-  EXPECT_EQ(end.err, "");
-  EXPECT_EQ(filesIn(file("f")).size(), 1U);
-}
-
-// Claims of one's own lesson that do not hold are told, each with its place; the lesson is shown all the
-// same.
-TEST_F(LessonCommand, ClaimsOfAnOwnLessonAreChecked) {
-  write("bare.obj", kTriangleObj);
-  const std::string own = write("own.json", R"({"title": "own", "steps": [
-    {"heading": "One", "caption": ["It has {polygons} polygon."], "scene": "bare.obj", "claims": {"polygons": 1},
-     "question": {"asks": "How many?", "answers": [
-       {"text": "one", "holds": true, "says": "Yes."},
-       {"text": "two", "says": "No.", "shown": {"claims": {"polygons": 2}}}]}},
-    {"heading": "Two", "caption": ["No cut."], "claims": {"cuts": 0, "n": 7}}]})");
-  const Finished end = runProgram({"lesson", own, "--frames", file("f")});
-  EXPECT_EQ(end.status, 0);
-  EXPECT_EQ(end.err, "xnewell: " + own +
-                         ": step 1, answer b: polygons is 1, which is not what the lesson claims\nxnewell: " +
-                         own + ": step 2: n is 20, which is not what the lesson claims\n");
-  EXPECT_EQ(filesIn(file("f")).size(), 2U);
-}
-
-TEST_F(LessonCommand, Refusals) {
-  const std::string folder = file("frames");
-  refused({"lesson", "nosuch", "--frames", folder}, 2,
-          "there is no lesson 'nosuch'; `xnewell scenes` lists the lessons");
-  refused({"lesson", "nosuch"}, 2, "there is no lesson 'nosuch'; `xnewell scenes` lists the lessons");
-  refused({"lesson", "--frames", folder}, 2, "--frames needs a lesson's name");
-  refused({"lesson", "cycles", "--frames", folder, "--shade", "flat"}, 2,
-          "--shade does not work with lesson: the lesson decides how its steps are drawn");
-  refused({"lesson", "cycles", "--frames", folder, "--size", "799x600"}, 2,
-          "a lesson needs a --size of at least 800x540");
-  refused({"lesson", "cycles", "--frames", folder, "--visual", "GrayScale8"}, 2,
-          "--visual needs a server, and lesson --frames uses none");
-  refused({"lesson", "cycles", "--step", "9"}, 2, "--step: the lesson has 6 steps");
-  refused({"lesson", "cycles", "--step", "0"}, 2, "--step: the steps of a lesson count from 1");
-  refused({"lesson", "--worksheet", folder}, 2, "--worksheet needs a lesson's name");
-  refused({"lesson", "cycles", "--worksheet", file("no/w.html")}, 1,
-          file("no/w.html") + ": No such file or directory");
-  refused({"lesson", "cycles", "--worksheet", folder, "--answers", folder}, 2,
-          "--worksheet and --answers exclude each other");
-  refused({"lesson", "cycles", "-o", file("new.png")}, 2,
-          "-o works only with draw, snapshot, figure, trade, extremes, diagnose, judge and grade");
-  refused({"lesson", "cycles", "--frames", file("old.png")}, 1, file("old.png") + ": Not a directory");
-  const std::string bad = write("bad.json", R"({"title": "t", "steps": [{"heading": "h"}]})");
-  refused({"lesson", bad, "--frames", folder}, 2, bad + ": steps[0]: caption is needed");
-}
-
 // The longest part of `text` that stands as it is in HTML, with no placeholder in it.
 std::string longestPlain(const std::string& text) {
   std::string longest;
@@ -146,15 +91,6 @@ TEST_F(LessonCommand, AWorksheetAsksAndSolves) {
     EXPECT_EQ(html.find('{'), html.find("{ font"));  // no placeholder is left, only the style
     EXPECT_EQ(html.find('{', html.find("</style>")), std::string::npos);
   }
-}
-
-TEST_F(LessonCommand, FramesOfAnEarlierRunStay) {
-  ASSERT_EQ(runProgram({"lesson", "cycles", "--frames", file("f")}).status, 0);
-  const std::string before = contents(file("f/0002-step.png"));
-  const Finished again = runProgram({"lesson", "specular", "--frames", file("f")});
-  EXPECT_EQ(again.status, 2);
-  EXPECT_NE(again.err.find("already holds frames"), std::string::npos) << again.err;
-  EXPECT_EQ(contents(file("f/0002-step.png")), before);
 }
 
 TEST_F(LessonCommand, AnInterruptLeavesWholeFrames) {

@@ -215,51 +215,6 @@ TEST_F(TraceCommand, FramesOfTheStepper) {
   ASSERT_EQ(runProgram({"trace", "cycle", "--frames", cuts, "--whole-window", "--size", "800x600"}).status,
             0);
   EXPECT_EQ(framesIn(cuts), (std::map<std::string, int>{{"cut", 1}, {"done", 1}}));
-
-  const std::string none = file("none");
-  refused({"trace", "cycle", "--frames", none, "--whole-window", "--quick"}, 2,
-          "--quick and --whole-window exclude each other");
-  refused({"trace", "cycle", "--frames", none, "--whole-window", "--size", "799x540"}, 2,
-          "the stepper needs a --size of at least 800x540");
-  refused({"trace", "cycle", "--whole-window"}, 2,
-          "--whole-window works only with snapshot and trace --frames");
-  refused({"trace", "room", "--frames", none, "--whole-window"}, 2,
-          "room: the run has no cut, so there is no frame to write; --every paint has 325");
-}
-
-// A command that makes no frames says why, and leaves no folder and no file.
-TEST_F(TraceCommand, Refusals) {
-  const std::string folder = file("frames");
-  refused({"trace", "room", "--frames", folder}, 2,
-          "room: the run has no cut, so there is no frame to write; --every paint has 325");
-  refused({"trace", "teapot", "--frames", folder, "--every", "step", "--quick", "--divisions", "6"}, 2,
-          "--every step: " +
-              std::to_string(linesOf({"teapot", "--quick", "--divisions", "6"})[0]["steps"].get<int>()) +
-              " frames are too many; the most is 9,998");
-  refused({"trace", "cycle", "--every", "cut"}, 2, "--every works only with trace --frames");
-  refused({"trace", "cycle", "--frames", folder, "--every", "day"}, 2,
-          "--every: 'day' is not one of step, paint, move, cycle, cut");
-  refused({"trace", "cycle", "--frames", ""}, 2, "--frames: the folder's name is empty");
-  refused({"trace"}, 2, "trace needs a scene, such as teapot");
-  refused({"trace", "cycle", "--order", "zsort"}, 2,
-          "trace follows the depth sort: it allows only --order newell");
-  refused({"trace", "cycle", "-o", file("new.png")}, 2,
-          "-o works only with draw, snapshot, figure, trade, extremes, diagnose, judge and grade");
-  refused({"draw", "cycle", "-o", file("new.png"), "--quick"}, 2, "--quick works only with trace");
-  refused({"draw", "cycle", "-o", file("new.png"), "--frames", folder}, 2,
-          "--frames works only with trace and lesson");
-  refused({"trace", "cycle", "--frames", file("old.png")}, 1, file("old.png") + ": Not a directory");
-  refused({"trace", "nosuch"}, 2,
-          "nosuch: there is no built-in scene of that name; `xnewell scenes` lists them");
-
-  // Frames of an earlier run could be mistaken for this one's; other files do not matter.
-  ASSERT_EQ(runProgram({"trace", "cycle", "--frames", file(".")}).status, 0);
-  EXPECT_TRUE(std::filesystem::exists(file("0001-cut.png")));
-  const auto before = everything();
-  const Finished again = runProgram({"trace", "penetrate", "--frames", file(".")});
-  EXPECT_EQ(again.status, 2);
-  EXPECT_NE(again.err.find("already holds frames"), std::string::npos) << again.err;
-  EXPECT_EQ(everything(), before);
 }
 
 TEST_F(TraceCommand, AnInterruptLeavesWholeFrames) {

@@ -71,15 +71,6 @@ TEST_F(CommandTest, ATradeIsTold) {
   EXPECT_GT(std::filesystem::file_size(file("chart.png")), 1'000u);
 }
 
-TEST_F(CommandTest, ATradeRefusesWhatItDoesNotTake) {
-  refused({"trade"}, 2, "trade needs a scene, such as teapot");
-  refused({"trade", "cycle", "--budget", "0"}, 2, "--budget: '0' is not a number from 1 to 3600");
-  refused({"draw", "cycle", "-o", file("new.png"), "--axes", "order"}, 2, "--axes works only with trade");
-  refused({"trade", "cycle", "--stats"}, 2, "--stats works only with draw, snapshot and figure");
-  refused({"trade", "cycle", "-o", file("new.svg")}, 2,
-          "-o " + file("new.svg") + ": pictures are PNG files; call it .png");
-}
-
 // After an interrupt there is a chart of what is known, or it is said that there is none.
 TEST_F(CommandTest, AnInterruptedTradeWritesItsChart) {
   const Strings words{"trade",    kSanitized ? "cubes" : "teapot",
@@ -101,17 +92,6 @@ TEST_F(CommandTest, AnInterruptedTradeWritesItsChart) {
   }
   ASSERT_TRUE(some);
   EXPECT_GT(readPng(file("chart.png")).height, 50);
-}
-
-// Without extent there is nothing to measure.
-TEST_F(CommandTest, ASceneWithoutExtentIsRefused) {
-  const std::string point = write("point.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n");
-  for (const char* command : {"extremes", "trade"}) {
-    const auto end = runProgram({command, point, "--size", "20x15"});
-    EXPECT_EQ(end.status, 2) << command;
-    EXPECT_TRUE(end.err.ends_with("xnewell: the scene has no extent\n")) << end.err;
-    EXPECT_EQ(end.out, "");
-  }
 }
 
 // If the user chose everything himself, --accuracy still says whether the picture is within the limit.
@@ -169,24 +149,6 @@ TEST_F(CommandTest, AccuracyKeepsASecondLimit) {
     EXPECT_LE(wrong, most);
     EXPECT_EQ(wrong > 0, most > 0);
   }
-}
-
-// --help tells the true default.
-TEST_F(CommandTest, HelpTellsTheTimeOfAccuracy) {
-  const auto help = runProgram({"--help"});
-  EXPECT_NE(help.out.find("[trade 30, --accuracy 8]"), std::string::npos) << help.out;
-}
-
-TEST_F(CommandTest, AccuracyRefusesWhatItDoesNotTake) {
-  refused(
-      {"draw", "cycle", "-o", file("new.png"), "--accuracy", "0"}, 2,
-      "--accuracy: '0' is not a number between 0 and 1, and perhaps a comma and a whole number of samples: "
-      "0.03 or 0.03,20");
-  for (const char* wrong : {"0.1,", "0.1,-1", "0.1,2.5", "0.1,2,3"})
-    EXPECT_EQ(runProgram({"draw", "cycle", "-o", file("new.png"), "--accuracy", wrong}).status, 2) << wrong;
-  refused({"trade", "cycle", "--accuracy", "0.1"}, 2, "--accuracy works only with view, draw and snapshot");
-  refused({"draw", "cycle", "-o", file("new.png"), "--budget", "5"}, 2,
-          "--budget works only with trade and --accuracy");
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -12,7 +12,7 @@
 
 namespace xnewell::THIS_FILE {
 
-// What options set. Command lines that are refused: options_complaints_test.cpp.
+// What options set. Command lines that are refused: tests/stories.
 
 // Without arguments the program opens a window on the teapot. Every command's name selects that command.
 TEST(Options, CommandIsTheFirstWordOrView) {
@@ -190,17 +190,14 @@ TEST(Options, SetWhatIsNotInThePicture) {
   EXPECT_TRUE(parsed({"view", "--nearest"}).nearest);
 }
 
-// If only one of Ia and Ip is set, the other gives way, so that their sum stays within 1. If both are set,
-// their sum must not exceed 1.
+// If only one of Ia and Ip is set, the other gives way, so that their sum stays within 1.
 TEST(Options, IntensitiesPushEachOther) {
   EXPECT_EQ(drawn({"--ia", "1"}).picture.light.Ip, 0.0);
   EXPECT_EQ(drawn({"--ip", "1"}).picture.light.Ia, 0.0);
   EXPECT_EQ(drawn({"--ip", "0.75"}).picture.light.Ia, 0.2);
-  EXPECT_EQ(complaint({"--ia", "0.5", "--ip", "0.5"}), "");
-  EXPECT_EQ(complaint({"--ia", "0.5", "--ip", "0.6"}), "--ia and --ip: their sum must not exceed 1");
 }
 
-// Effects on the palette are read as they are written, and refused by commands to which they do not apply.
+// Effects on the palette are read as they are written.
 TEST(Options, EffectsChangeWhatIsStored) {
   const auto only = [](const std::vector<std::string>& words, const PaletteEffects& expected) {
     EXPECT_EQ(drawn(words).effects, expected) << words[0];
@@ -213,19 +210,6 @@ TEST(Options, EffectsChangeWhatIsStored) {
   only({"--rotate", "-30"}, {.rotate = -30});
   only({"--lit", "255"}, {.lit = 255});
   EXPECT_EQ(drawn({"--view", "colours", "--cell", "0"}).window.cell, 0);
-  for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{{"--store", "gray"},
-                                                                                   {"--gamma", "0"},
-                                                                                   {"--bend", "100"},
-                                                                                   {"--bend", "256,3"},
-                                                                                   {"--bend", "9,256"},
-                                                                                   {"--rotate", "1.5"},
-                                                                                   {"--lit", "256"},
-                                                                                   {"--lit", "-1"}})
-    EXPECT_EQ(complaint(bad).rfind(bad[0] + ": '", 0), 0u) << complaint(bad);
-  EXPECT_EQ(
-      complaint({"--view", "machbands", "--lit", "20"}).rfind("--lit works only with --view picture", 0), 0u);
-  EXPECT_EQ(complaintAll({"view", "--lit", "20"}), "--lit works only with draw and snapshot");
-  EXPECT_EQ(complaint({"--cell", "20"}), "--cell works only with --view colours");
 }
 
 }  // namespace xnewell::THIS_FILE

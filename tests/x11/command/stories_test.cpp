@@ -1,0 +1,208 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <regex>
+
+#include "tests/support/scene_text.h"
+#include "tests/x11/support/command_fixture.h"
+#include "tests/x11/support/parsed_options.h"
+
+namespace xnewell::THIS_FILE {
+
+// Stories are what the program does, line for line, as data: tests/stories/README.md has the lines.
+
+namespace {
+
+/// The files of tests/stories, without their ends.
+Strings stories() {
+  Strings names;
+  for (const std::string& name : filesIn(XNEWELL_STORIES))
+    if (name.ends_with(".txt")) names.push_back(name.substr(0, name.size() - 4));
+  return names;
+}
+
+std::string unescaped(const std::string& text) {
+  std::string plain;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] != '\\' || k + 1 == text.size()) {
+      plain += text[k];
+    } else if (text[++k] == 'x') {
+      plain += static_cast<char>(std::stoi(text.substr(k + 1, 2), nullptr, 16));
+      k += 2;
+    } else {
+      plain += text[k] == 'n' ? '\n' : text[k] == 'r' ? '\r' : text[k] == 't' ? '\t' : text[k];
+    }
+  }
+  return plain;
+}
+
+/// Words between blanks; one in '...' may hold blanks or nothing.
+Strings wordsOf(const std::string& text) {
+  Strings words;
+  bool quoted = false, open = false;
+  for (const char c : text) {
+    if (c == '\'') quoted = !quoted;
+    if (c == ' ' && !quoted) {
+      open = false;
+      continue;
+    }
+    if (!open) words.emplace_back(), open = true;
+    if (c != '\'') words.back() += c;
+  }
+  for (std::string& word : words) word = unescaped(word);
+  return words;
+}
+
+/// Whether a text is as a pattern, in which "..." stands for any text. The pattern may leave out the end of
+/// the last line.
+bool matches(const std::string& text, const std::string& pattern) {
+  std::size_t at = 0;
+  for (std::size_t from = 0; from <= pattern.size();) {
+    const std::size_t dots = std::min(pattern.find("...", from), pattern.size());
+    const std::string part = unescaped(pattern.substr(from, dots - from));
+    const bool last = dots == pattern.size();
+    const std::size_t found =
+        from == 0 ? (text.starts_with(part) ? 0 : text.npos)
+        : last    ? (text.size() >= at + part.size() && text.ends_with(part) ? text.size() - part.size()
+                                                                             : text.npos)
+                  : text.find(part, at);
+    if (found == text.npos || (last && from == 0 && text != part))
+      return text.ends_with('\n') && matches(text.substr(0, text.size() - 1), pattern);
+    at = found + part.size(), from = dots + 3;
+  }
+  return true;
+}
+
+/// A line for each way to take one of <a|b|c>. Behind it, <1> is what the first of them was.
+Strings expanded(const std::string& line) {
+  static const std::regex kChoice{R"(<([^<>]*\|[^<>]*)>)"};
+  std::smatch choice;
+  if (!std::regex_search(line, choice, kChoice)) return {line};
+  Strings all;
+  std::istringstream options{choice.str(1) + '|'};
+  for (std::string option; std::getline(options, option, '|');) {
+    std::string rest = choice.suffix();
+    // The first choice that is left is <1> in what follows, and the next one becomes it.
+    for (std::size_t at = 0; (at = rest.find("<1>", at)) != rest.npos; at += option.size())
+      rest.replace(at, 3, option);
+    for (char digit = '2'; digit < '5'; ++digit)
+      for (std::size_t at = 0; (at = rest.find(std::string{'<', digit, '>'}, at)) != rest.npos; ++at)
+        rest[at + 1] = static_cast<char>(digit - 1);
+    for (const std::string& whole : expanded(rest)) all.push_back(choice.prefix().str() + option + whole);
+  }
+  return all;
+}
+
+class Story : public CommandTest, public testing::WithParamInterface<std::string> {
+ protected:
+  Story() {
+    std::filesystem::remove(file("old.png"));
+    std::filesystem::current_path(file("."));
+  }
+  ~Story() override { std::filesystem::current_path("/"); }
+
+  void tell(const std::string& line) {
+    const std::size_t blank = line.find(' ');
+    const std::string verb = line.substr(0, blank), rest = blank == line.npos ? "" : line.substr(blank + 1);
+    const std::size_t arrow = rest.rfind(" -> "), equals = rest.find(" = ");
+    const std::string what = rest.substr(0, arrow), then = arrow == rest.npos ? "" : rest.substr(arrow + 4);
+    if (verb == "let") {
+      names_["<" + rest.substr(0, equals) + ">"] = rest.substr(equals + 3);
+    } else if (verb == "file") {
+      write(rest.substr(0, equals), unescaped(rest.substr(equals + 3)));
+    } else if (verb == "folder") {
+      std::filesystem::create_directory(rest);
+    } else if (verb == "scene") {
+      scene_ = rest;
+    } else if (verb == ":") {
+      std::string text = scene_;
+      if (const std::size_t at = text.find('@'); at != text.npos) text.replace(at, 1, what);
+      const std::string said = complaint(unescaped(text));
+      EXPECT_TRUE(matches(said, then == "ok" ? "no complaint" : "s.json" + then)) << said;
+    } else if (verb == "?") {
+      const std::string said = complaintAll(wordsOf(what));
+      EXPECT_TRUE(matches(said, then == "ok" ? "" : then)) << said;
+    } else if (verb == "$") {
+      run(wordsOf(what), then);
+    } else if (verb == "out" || verb == "err") {
+      const std::string& said = verb == "out" ? last_.out : last_.err;
+      EXPECT_TRUE(matches(said, rest)) << said;
+    } else if (verb == "holds") {
+      const std::string text = contents(rest.substr(0, equals));
+      EXPECT_TRUE(matches(text, rest.substr(equals + 3))) << text;
+    } else if (verb == "hides") {
+      EXPECT_EQ(last_.out.find(rest), rest.npos) << last_.out;
+    } else if (verb == "once") {
+      const std::string text = contents(rest.substr(0, equals)), part = rest.substr(equals + 3);
+      EXPECT_NE(text.find(part), text.npos) << text;
+      EXPECT_EQ(text.find(part), text.rfind(part)) << text;
+    } else if (verb == "same") {
+      const Strings two = wordsOf(rest);
+      const std::string first = two.at(0) == "-" ? last_.out : contents(two.at(0));
+      EXPECT_TRUE(first == contents(two.at(1)) && !first.empty());
+    } else if (verb == "fact") {
+      fact(wordsOf(rest));
+    } else {
+      ADD_FAILURE() << "no line begins with " << verb;
+    }
+  }
+
+  /// The status, and after a bar the one line with which the program refuses. Then nothing is written.
+  void run(const Strings& words, const std::string& then) {
+    const std::size_t bar = then.find(" | ");
+    const auto before = everything();
+    last_ = runProgram(words);
+    EXPECT_EQ(last_.status, std::stoi(then)) << last_.err;
+    if (bar == then.npos) return;
+    EXPECT_TRUE(matches(last_.err, "xnewell: " + then.substr(bar + 3))) << last_.err;
+    EXPECT_EQ(std::ranges::count(last_.err, '\n'), 1);
+    EXPECT_EQ(last_.out, "");
+    EXPECT_EQ(everything(), before);
+  }
+
+  /// PATH OP VALUE: in the JSON that was printed, a value compared with another. ~: as far as that is
+  /// written.
+  void fact(const Strings& words) const {
+    const Json all = Json::parse(last_.out);
+    const Json is = all.at(Json::json_pointer{words.at(0)}), should = Json::parse(words.at(2));
+    const char op = words.at(1).at(0);
+    if (op == '~') {
+      const auto decimals = static_cast<double>(words[2].size() - words[2].find('.') - 1);
+      EXPECT_NEAR(is.get<double>(), should.get<double>(), 0.50001 * std::pow(10, -decimals));
+    } else {
+      EXPECT_TRUE(op == '=' ? is == should : op == '<' ? is < should : is > should) << is;
+    }
+  }
+
+  std::map<std::string, std::string> names_;
+  std::string scene_ = "@";
+  Finished last_;
+};
+
+}  // namespace
+
+// Each line of the story is true.
+TEST_P(Story, Holds) {
+  std::ifstream in{XNEWELL_STORIES + ('/' + GetParam()) + ".txt"};
+  int number = 0, told = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    if (line.empty() || line[0] == '#') continue;
+    for (const auto& [name, text] : names_)
+      for (std::size_t at = 0; (at = line.find(name, at)) != line.npos; at += text.size())
+        line.replace(at, name.size(), text);
+    for (const std::string& one : expanded(line)) {
+      SCOPED_TRACE("tests/stories/" + GetParam() + ".txt:" + std::to_string(number) + ": " + one);
+      tell(one);
+      ++told;
+    }
+  }
+  EXPECT_GT(told, 2);
+}
+INSTANTIATE_TEST_SUITE_P(Stories, Story, testing::ValuesIn(stories()),
+                         [](const auto& story) { return story.param; });
+
+}  // namespace xnewell::THIS_FILE
