@@ -193,7 +193,6 @@ TEST(Options, FiguresAreOfPolygons) {
   EXPECT_EQ(complaint({"--edges", "all"}), "");
   EXPECT_EQ(figure({"--edges", "all", "--edge-color", "#80808"}),
             "--edge-color: '#80808' is not #rrggbb, a colour by six hexadecimal digits");
-  EXPECT_EQ(figure({"--costs"}), "--costs works only with draw and snapshot");
   EXPECT_EQ(figure({"--shade", "phong", "--tolerance", "0"}), "");
   EXPECT_EQ(figure({"--edges", "all"}), "");
   EXPECT_EQ(figure({"--smooth"}),
@@ -316,7 +315,7 @@ TEST(Options, RefuseWhatAViewCannotHeed) {
     EXPECT_EQ(complaintAll({"trace", "teapot", "--view", name}),
               "--view works only with view, draw and snapshot");
     const std::string more =
-        view + " is not just the picture: --stats, --errors, --costs and --ids work only with --view picture";
+        view + " is not just the picture: --stats, --errors and --ids work only with --view picture";
     EXPECT_EQ(complaint({"--view", name, "--ids", "i.png"}), more);
     EXPECT_EQ(complaint({"--view", name, "--stats"}), more);
     EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}), "");
