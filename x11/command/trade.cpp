@@ -213,17 +213,6 @@ Data pointAsData(const Measured& one) {
                 {"interval", dataOf(one.cost.time.interval)}};
 }
 
-/// The axes that --accuracy may choose on, but for those that the user gave.
-std::vector<std::string> freeAxes(const Options& options, const Scene& scene) {
-  const Picture picture = makePicture(scene, settingsOf(options));
-  std::vector<std::string> given;
-  for (const Axis& axis : axesInReach(picture))
-    if (options.gave("--" + std::string{axis.name()})) given.emplace_back(axis.name());
-  std::vector<std::string> axes = choosableAxes(picture, given);
-  std::erase_if(axes, [&](const std::string& axis) { return options.gave("--" + axis); });
-  return axes;
-}
-
 }  // namespace
 
 int tellTrade(const Options& options, Scene scene) {
@@ -247,8 +236,14 @@ page::Data keepWithin(const AccuracyLimit& limit, Options& options, Scene& scene
   TradeRequest request = options.trade;
   if (!options.gave("--budget")) request.seconds = kAccuracySeconds;
   request.brief = true;
-  request.axes = freeAxes(options, scene);
-  if (request.axes.empty()) return errorAsItIs(limit, options, scene);
+  const Picture asItIs = makePicture(scene, settingsOf(options));
+  request.axes = choosableAxes(asItIs);
+  std::erase_if(request.axes, [&](const std::string& axis) { return options.gave("--" + axis); });
+  // Others have an effect only beside these.
+  if (std::ranges::none_of(axesOf(asItIs), [&](const Axis& axis) {
+        return std::ranges::find(request.axes, axis.name()) != request.axes.end();
+      }))
+    return errorAsItIs(limit, options, scene);
   Trade trade = tradeWithProgress(options, request, scene);
   if (!areTimed(trade.combinations)) trade = withSingles(std::move(trade));
   for (const std::string& note : trade.notes) std::cerr << "xnewell: " << note << '\n';
