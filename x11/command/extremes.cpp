@@ -8,7 +8,6 @@
 #include "geometry/files/output_file.h"
 #include "shading/color/png.h"
 #include "shading/extremes/extremes.h"
-#include "shading/extremes/finding.h"
 #include "x11/command/commands.h"
 #include "x11/command/report.h"
 #include "x11/drawing/sheet.h"

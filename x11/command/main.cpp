@@ -36,7 +36,7 @@
 #include "x11/command/trace.h"
 #include "x11/drawing/wording.h"
 #include "x11/kit/one_line.h"
-#include "x11/lessons/broken_claims.h"
+#include "x11/lessons/lesson_facts.h"
 #include "x11/options/carried_setup.h"
 #include "x11/options/exit_status.h"
 #include "x11/options/options.h"

@@ -17,7 +17,6 @@
 #include "x11/terminal/doing.h"
 #include "x11/terminal/interrupt.h"
 #include "x11/views/trade_chart.h"
-#include "x11/views/trade_table.h"
 
 namespace xnewell {
 
