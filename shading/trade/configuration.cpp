@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 #include "geometry/exact/box.h"
 #include "shading/picture/facts.h"
@@ -67,25 +66,7 @@ std::string Configuration::options() const {
   return all;
 }
 
-namespace {
-
-/// Adds the settings that have an effect on a picture with these settings, or beside `deep` changes of them.
-void addEffective(const Picture& picture, const PictureSettings& settings, int deep,
-                  const std::vector<std::string>& held, std::set<const Setting*>& all) {
-  for (const Setting& setting : settingRows()) {
-    if (!mayBeAnAxis(setting, picture) || !hasEffect(setting, factsOf(picture, settings))) continue;
-    if (std::ranges::find(held, Axis{&setting, 0, {}}.name()) != held.end()) continue;
-    all.insert(&setting);
-    if (deep == 0) continue;
-    for (const double value : valuesOf(setting)) {
-      PictureSettings other = settings;
-      setting.field.set(other, value);
-      addEffective(picture, other, deep - 1, held, all);
-    }
-  }
-}
-
-std::vector<Axis> axesAmong(const Picture& picture, const std::set<const Setting*>& effective) {
+std::vector<Axis> axesOf(const Picture& picture, Reach reach) {
   std::vector<Axis> axes;
   const Scene& scene = picture.scene();
   if (scene.divisions > 0) {
@@ -93,8 +74,9 @@ std::vector<Axis> axesAmong(const Picture& picture, const std::set<const Setting
     for (const int n : kDivisions)
       if (n != scene.divisions) axes.back().others.push_back(n);
   }
+  const PictureFacts facts = factsOf(picture);
   for (const Setting& setting : settingRows()) {
-    if (!effective.contains(&setting)) continue;
+    if (!mayBeAnAxis(setting, picture) || (reach == Reach::Alone && !hasEffect(setting, facts))) continue;
     Axis axis{&setting, std::get<double>(setting.field.get(picture.settings())), valuesOf(setting)};
     std::erase(axis.others, axis.now);
     if (!axis.others.empty()) axes.push_back(std::move(axis));
@@ -102,27 +84,9 @@ std::vector<Axis> axesAmong(const Picture& picture, const std::set<const Setting
   return axes;
 }
 
-}  // namespace
-
-std::vector<Axis> axesOf(const Picture& picture) {
-  std::set<const Setting*> effective;
-  const PictureFacts facts = factsOf(picture);
-  for (const Setting& setting : settingRows())
-    if (mayBeAnAxis(setting, picture) && hasEffect(setting, facts)) effective.insert(&setting);
-  return axesAmong(picture, effective);
-}
-
-std::vector<Axis> axesInReach(const Picture& picture, const std::vector<std::string>& held) {
-  // Two changes reach all: normals need a method, and creases need a method and normals.
-  constexpr int kDeep = 2;
-  std::set<const Setting*> effective;
-  addEffective(picture, picture.settings(), kDeep, held, effective);
-  return axesAmong(picture, effective);
-}
-
-std::vector<std::string> choosableAxes(const Picture& picture, const std::vector<std::string>& held) {
+std::vector<std::string> choosableAxes(const Picture& picture) {
   std::vector<std::string> names;
-  for (const Axis& axis : axesInReach(picture, held))
+  for (const Axis& axis : axesOf(picture, Reach::BesideOthers))
     if (axis.name() != "colors") names.emplace_back(axis.name());
   return names;
 }

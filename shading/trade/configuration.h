@@ -44,22 +44,18 @@ struct Configuration {
   [[nodiscard]] std::string options() const;
 };
 
-/// The axes that have an effect on this picture, in the order of the rows, the divisions first. An X server
-/// would have to time its own filler, so `fill` is not among them. The divisions are one where they change
-/// a patch: where the scene's file does not set those of all.
-[[nodiscard]] std::vector<Axis> axesOf(const Picture& picture);
+/// The short cuts that have an effect on a picture as it is, or all: some have one only beside others, such
+/// as the rule for normals if the method is flat shading.
+enum class Reach { Alone, BesideOthers };
+/// The axes in the order of the rows, the divisions first. An X server would have to time its own filler, so
+/// `fill` is not among them. The divisions are one where they change a patch: where the scene's file does not
+/// set those of all.
+[[nodiscard]] std::vector<Axis> axesOf(const Picture& picture, Reach reach = Reach::Alone);
 
-/// The same, and the axes that have an effect on this picture only beside other short cuts: the rule for
-/// normals, for example, if the method is flat shading. The axes with the names in `held` keep their values,
-/// so they are not among them, and neither is what has an effect only beside other values of these.
-[[nodiscard]] std::vector<Axis> axesInReach(const Picture& picture,
-                                            const std::vector<std::string>& held = {});
-
-/// The names of those axes in reach on which the program may choose by itself: all but the plan of the
-/// colours. A picture in one hue has one intensity, and a picture in colours has three, so their errors do
-/// not compare, and the intensity does not tell that colours are lost.
-[[nodiscard]] std::vector<std::string> choosableAxes(const Picture& picture,
-                                                     const std::vector<std::string>& held = {});
+/// The names of those axes on which the program may choose by itself: all but the plan of the colours. A
+/// picture in one hue has one intensity, and a picture in colours has three, so their errors do not compare,
+/// and the intensity does not tell that colours are lost.
+[[nodiscard]] std::vector<std::string> choosableAxes(const Picture& picture);
 
 /// True if each change has an effect on this picture, beside the others.
 [[nodiscard]] bool allHaveEffect(const Configuration& configuration, const Picture& asked);

@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <map>
+#include <numeric>
 
 #include "geometry/exact/box.h"
 #include "geometry/exact/give_up.h"
+#include "shading/scene/units.h"
 #include "shading/trade/choice.h"
 #include "shading/trade/measure.h"
-#include "shading/trade/search.h"
-#include "shading/trade/trade_sentences.h"
 
 namespace xnewell {
 
@@ -59,6 +64,268 @@ std::vector<Axis> requestedAxes(std::vector<Axis> all, const TradeRequest& reque
   return some;
 }
 
+/// ---- What a row says
+
+/// Two digits: 0.0012, 2.5, 12, 790.
+std::string twoDigits(double v) {
+  char text[32];
+  if (v >= 100) {
+    const double unit = std::pow(10.0, std::floor(std::log10(v)) - 1);
+    std::snprintf(text, sizeof text, "%.0f", unit * std::round(v / unit));
+  } else {
+    std::snprintf(text, sizeof text, "%.2g", v);
+  }
+  return text;
+}
+
+std::string times(double ratio, const std::string& what) { return twoDigits(ratio) + " times " + what; }
+
+/// How far the nearest lamp is from the scene's centre, in sides of the scene.
+std::string whereTheLampIs(const Picture& picture) {
+  const Scene& scene = picture.scene();
+  const Box box = boxOf(scene.mesh.points);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Light& light : lightsOf(scene, picture.settings().light))
+    if (light.kind != LightKind::Directional) {
+      const glm::dvec3 to = light.position - box.centre();
+      nearest = std::min(nearest, std::hypot(to.x, to.y, to.z));
+    }
+  return "The nearest lamp is " + times(nearest / box.side(), "the scene's side away.");
+}
+
+std::string whereTheEyeIs(const Picture& picture) {
+  const Camera& camera = picture.camera();
+  return "The eye is " +
+         times(glm::length(camera.eye - camera.lookAt) / boxOf(picture.scene().mesh.points).side(),
+               "the scene's side away.");
+}
+
+/// A sentence about the reason, if the numbers give one.
+std::string reasonOf(const TradeRow& row, const Axis& axis, const Picture& picture) {
+  const Errors& errors = row.measured.here;
+  if (!axis.setting)
+    return errors.patches ? "Its polygons are up to " + twoDigits(errors.patches->largestPixels) +
+                                " pixels off the patches."
+                          : "";
+  if (axis.setting->key == "constant_l") return whereTheLampIs(picture);
+  if (axis.setting->key == "constant_v") return whereTheEyeIs(picture);
+  if (axis.setting->key == "method" && row.value == static_cast<double>(Shading::Flat) &&
+      row.measured.cost.polygons > 0)
+    return "A polygon covers about " +
+           twoDigits(static_cast<double>(errors.samples) / static_cast<double>(row.measured.cost.polygons)) +
+           " samples.";
+  return "";
+}
+
+/// "4 more samples show a wrong face", "no sample shows a wrong face".
+std::string facesOf(std::int64_t wrong, std::int64_t before) {
+  const std::int64_t more = wrong - before;
+  if (wrong == 0 && more != 0) return "no sample shows a wrong face";
+  const std::int64_t count = std::abs(more);
+  return std::to_string(count) + (more > 0 ? " more" : " fewer") +
+         (count == 1 ? " sample shows" : " samples show") + " a wrong face";
+}
+
+/// What one short cut saves and what error it has, and the reason where the numbers give one: "With L
+/// constant it saves 3 % of the time and is off by 0.0012 instead of 0.001, at most by 0.01. The nearest lamp
+/// is 12 times the scene's side away."
+std::string sentenceOf(const TradeRow& row, const Axis& axis, const Measured& asked, const Picture& picture) {
+  const Measured& one = row.measured;
+  std::string text = "With " + one.configuration.name() + " it " +
+                     (one.cost.time.ms > 0 ? savingOf(one.cost.time) : "was not timed");
+  if (one.samePixels) return text + " and shows the same picture.";
+  const double rms = one.here.afterTable.rootMeanSquare, before = asked.here.afterTable.rootMeanSquare;
+  const bool alike = twoDigits(rms) == twoDigits(before);
+  text += " and is off by " + twoDigits(rms) + (alike ? " as before" : " instead of " + twoDigits(before)) +
+          ", at most by " + twoDigits(one.here.afterTable.largest);
+  if (one.here.wrongFaces != asked.here.wrongFaces)
+    text += "; " + facesOf(one.here.wrongFaces, asked.here.wrongFaces);
+  const std::string reason = reasonOf(row, axis, picture);
+  return text + '.' + (reason.empty() ? "" : ' ' + reason);
+}
+
+/// ---- Which combinations are worth a look?
+///
+/// There are far too many to try all. The search looks at one after the other: it paints it once, which tells
+/// the error, and roughly the time. What comes next is one change away from a combination that was tried. Its
+/// time and error are predicted from what the same change did when it was last tried: it multiplied the time,
+/// and it added to the square of the error, or left a share of it. A change that was never tried is expected
+/// to help. What it shows corrects the predictions. Promise is the time, in times of the fastest that is as
+/// accurate.
+
+class Search {
+ public:
+  /// `measure` must outlive it.
+  Search(Measure& measure, const std::vector<Axis>& axes) : measure_{measure}, axes_{axes} {
+    for (const Axis& axis : axes) effects_.emplace_back(axis.others.size() + 1);
+  }
+
+  /// Takes over what is known of a configuration.
+  void know(const Measured& measured) {
+    Key key(axes_.size(), 0);
+    for (const Change& change : measured.configuration.changes)
+      for (std::size_t k = 0; k < axes_.size(); ++k)
+        if (axes_[k].setting == change.setting)
+          key[k] = static_cast<std::int8_t>(
+              1 + (std::ranges::find(axes_[k].others, change.value) - axes_[k].others.begin()));
+    const double rms = std::max(measured.here.afterTable.rootMeanSquare, measured.elsewhere);
+    const StageTimes& t = measured.cost.stages;
+    take(key, {t.shade + t.transform + t.sort + t.fill, rms * rms}, measured);
+  }
+
+  /// Tries the most promising candidate. Returns false if nothing is left to try.
+  bool step() {
+    constexpr double kHopeless = 2;  // candidates that promise less are left
+    for (;;) {
+      auto best = candidates_.end();
+      double least = kHopeless;
+      for (auto at = candidates_.begin(); at != candidates_.end(); ++at)
+        if (!tried_[at->second.from].idle)
+          if (const double value = promise(at->second.to); value < least) least = value, best = at;
+      if (best == candidates_.end()) return false;
+      const Key key = best->first;
+      candidates_.erase(best);
+      seen_.emplace(key, -1);
+      Measured one;
+      one.configuration = configurationOf(key);
+      if (!allHaveEffect(one.configuration, measure_.asked())) continue;
+      const Glance glance = measure_.glance(one.configuration);
+      if (std::isinf(glance.rms)) return true;
+      one.here.afterTable.rootMeanSquare = glance.rms;
+      one.cost.time = {.ms = glance.ms};
+      one.cost.stages = glance.stages;
+      take(key, {glance.ms, glance.rms * glance.rms}, std::move(one));
+      return true;
+    }
+  }
+
+  [[nodiscard]] std::size_t count() const { return tried_.size(); }
+  /// The `most` that are nearest to the front, the nearest first. Changes that bring nothing are left out.
+  [[nodiscard]] std::vector<Measured> nearFront(std::size_t most) const {
+    std::vector<const Tried*> all;
+    for (const Tried& one : tried_)
+      if (!one.idle) all.push_back(&one);
+    std::ranges::stable_sort(all, {}, [&](const Tried* one) { return promise(one->look); });
+    std::vector<Measured> near;
+    for (const Tried* one : all)
+      if (near.size() < most) near.push_back(one->measured);
+    return near;
+  }
+  /// The values that no combination tried had: "--order bsp, oracle; --divisions 64"; "" if all were tried.
+  [[nodiscard]] std::string neverTried() const {
+    std::string all;
+    for (std::size_t k = 0; k < axes_.size(); ++k) {
+      std::string values;
+      for (std::size_t v = 1; v <= axes_[k].others.size(); ++v)
+        if (std::ranges::none_of(tried_, [&](const Tried& one) { return one.key[k] == static_cast<int>(v); }))
+          values += (values.empty() ? " " : ", ") + axes_[k].text(axes_[k].others[v - 1]);
+      if (!values.empty()) all += (all.empty() ? "--" : "; --") + std::string{axes_[k].name()} + values;
+    }
+    return all;
+  }
+
+ private:
+  /// For each axis the value: 0 as it is, otherwise 1 + the index of another.
+  using Key = std::vector<std::int8_t>;
+  struct Look {
+    double ms = 0, square = 0;  ///< of the RMS error
+  };
+  struct Tried {
+    Key key;
+    Look look;
+    Measured measured;
+    bool idle = false;  ///< some of its changes bring nothing
+  };
+  struct Candidate {
+    std::size_t from;  ///< index into tried_
+    Look to;
+  };
+  /// What a value does beside the value as it is.
+  struct Effect {
+    bool known = false;
+    double ratio = 1;              ///< of the time
+    double square = 0, share = 1;  ///< of the error: what is added, and what of it is left
+  };
+
+  [[nodiscard]] Configuration configurationOf(const Key& key) const {
+    Configuration one = measure_.askedConfiguration();
+    for (std::size_t k = 0; k < axes_.size(); ++k)
+      if (key[k] > 0) one = changed(one, axes_[k], axes_[k].others[key[k] - 1]);
+    return one;
+  }
+  /// Its time in times of the fastest tried that is as accurate. What would be more accurate than anything
+  /// comes first, the cheap before the dear.
+  [[nodiscard]] double promise(const Look& look) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Tried& one : tried_)
+      if (one.look.square <= look.square) least = std::min(least, one.look.ms);
+    return std::isinf(least) ? 1e-3 * look.ms / tried_.front().look.ms : look.ms / least;
+  }
+  /// True if `other` is as fast and as accurate with some of its changes alone: those of `simple`.
+  [[nodiscard]] static bool makesIdle(const Tried& simple, const Tried& other) {
+    constexpr double kIdle = 1.1;  // a change brings nothing if it is at most so many times as slow without
+    bool part = simple.look.ms <= kIdle * other.look.ms &&
+                simple.look.square <= kErrorTie * kErrorTie * other.look.square;
+    for (std::size_t k = 0; k < simple.key.size(); ++k)
+      part = part && (simple.key[k] == 0 || simple.key[k] == other.key[k]);
+    return part;
+  }
+
+  void take(const Key& key, const Look& look, Measured measured) {
+    const auto [at, isNew] = seen_.emplace(key, -1);
+    if (!isNew && at->second >= 0) return;
+    at->second = static_cast<int>(tried_.size());
+    Tried one{key, look, std::move(measured)};
+    for (Tried& other : tried_) {
+      one.idle = one.idle || makesIdle(other, one);
+      other.idle = other.idle || makesIdle(one, other);
+    }
+    learn(one);
+    tried_.push_back(std::move(one));
+    candidates_.erase(key);
+    expand(tried_.back());
+  }
+  /// From a combination that differs in one value.
+  void learn(const Tried& one) {
+    for (const Tried& from : tried_) {
+      const auto [a, b] = std::ranges::mismatch(from.key, one.key);
+      if (!std::equal(a + 1, from.key.end(), b + 1)) continue;
+      std::vector<Effect>& values = effects_[static_cast<std::size_t>(a - from.key.begin())];
+      if (*b > 0)
+        values[*b] = {true, values[*a].ratio * one.look.ms / from.look.ms,
+                      values[*a].square + one.look.square - from.look.square,
+                      from.look.square > 0 ? values[*a].share * one.look.square / from.look.square : 1.0};
+    }
+  }
+  /// All that is one change away, and is expected to be faster or more accurate, by more than chance.
+  void expand(const Tried& from) {
+    constexpr double kLeast = 0.02;  // of the square: an error does not vanish
+    for (std::size_t k = 0; k < axes_.size() && !from.idle; ++k)
+      for (std::size_t v = 0; v < effects_[k].size(); ++v) {
+        Key key = from.key;
+        key[k] = static_cast<std::int8_t>(v);
+        if (seen_.contains(key)) continue;
+        const Effect &before = effects_[k][from.key[k]], &after = effects_[k][v];
+        const Look& now = from.look;
+        const double added = after.square - before.square;
+        Look to{now.ms * after.ratio / before.ratio,
+                added > 0          ? now.square + added
+                : before.share > 0 ? now.square * std::max(kLeast, after.share / before.share)
+                                   : now.square};
+        if (v > 0 && !after.known) to = {now.ms, now.square / 2};
+        if (kErrorTie * to.ms < now.ms || kErrorTie * kErrorTie * to.square < now.square)
+          candidates_[key] = {tried_.size() - 1, to};
+      }
+  }
+
+  Measure& measure_;
+  const std::vector<Axis>& axes_;
+  std::vector<std::vector<Effect>> effects_;  ///< by axis and value
+  std::vector<Tried> tried_;
+  std::map<Key, int> seen_;  ///< indices into tried_; -1 for what has no picture
+  std::map<Key, Candidate> candidates_;
+};
+
 /// The trade while it is made.
 class Trader {
  public:
@@ -68,7 +335,7 @@ class Trader {
   Trade make() {
     // Who names axes may mean some that have an effect only beside another.
     trade_.axes = requestedAxes(
-        request_.axes.empty() ? axesOf(measure_.asked()) : axesInReach(measure_.asked()), request_);
+        axesOf(measure_.asked(), request_.axes.empty() ? Reach::Alone : Reach::BesideOthers), request_);
     trade_.referenceDivisions = measure_.referenceDivisions();
     if (!request_.brief) trade_.referenceOff = measure_.referenceOff();
     trade_.views = measure_.otherViews();
@@ -165,7 +432,7 @@ class Trader {
     search.know(trade_.asked);
     for (const TradeRow& row : trade_.rows) search.know(row.measured);
     for (bool more = true; more;) {
-      if (!goOn("looking at combinations: " + std::to_string(search.tried().size()))) return;
+      if (!goOn("looking at combinations: " + std::to_string(search.count()))) return;
       if (isLate(kSearch) || !inTime(kSearch, [&] { more = search.step(); })) {
         trade_.notes.emplace_back("the time did not suffice for all combinations with promise (--budget)");
         break;
@@ -173,8 +440,7 @@ class Trader {
     }
     trade_.neverTried = search.neverTried();
     double round = 2 * trade_.asked.cost.time.ms;  // the base and its twin
-    for (const int k : search.nearFront(kMostCombinations)) {
-      const Measured& one = search.tried()[k];
+    for (const Measured& one : search.nearFront(kMostCombinations)) {
       round += one.cost.time.ms;
       if (trade_.combinations.size() >= kLeastCombinations &&
           (isLate(kCombinationErrors) || kRounds * round > 1e3 * secondsTo(kCombinationTimes)))

@@ -1,21 +1,19 @@
-#include "x11/command/draw_figure.h"
-
 #include <algorithm>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/files/output_file.h"
+#include "shading/figure/figure_errors.h"
 #include "shading/figure/make_figure.h"
 #include "shading/figure/write_figure.h"
 #include "shading/laboratory/truth.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/stopwatch.h"
 #include "shading/scene/settings.h"
-#include "x11/command/errors_json.h"
-#include "x11/command/tell_trade.h"
+#include "x11/command/commands.h"
+#include "x11/command/report.h"
 #include "x11/options/carried_setup.h"
 #include "x11/terminal/doing.h"
 
@@ -77,23 +75,28 @@ void drawFigure(const Options& options, const Scene& scene) {
               << (stages.samples ? ", from the picture's pixels" : "") << "; " << s.loops << " areas, "
               << bytes.size() / 1000 << " kB\n";
   if (!options.stats) return;
-  nlohmann::ordered_json stats{
-      {"scene", options.scene},
-      {"size", {figure.width, figure.height}},
-      {"faces", stages.picture.scene().mesh.faceCount()},
-      {"fragments", s.fragments},
-      {"outside", s.outside},
-      {"hidden", s.hidden},
-      {"levels", s.levels},
-      {"off", s.off},
-      {"paths", figure.paths.size()},
-      {"loops", s.loops},
-      {"corners", s.corners},
-      {"bytes", bytes.size()},
-      {"ms",
-       {{"picture and sort", msSorted}, {"join", msJoined - msSorted}, {"write", msWritten - msJoined}}}};
-  if (errors) stats["errors"] = errorsAsJson(*errors);
-  std::cout << stats.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  page::Object stats{{"scene", options.scene},
+                     {"size", page::List{figure.width, figure.height}},
+                     {"faces", stages.picture.scene().mesh.faceCount()},
+                     {"fragments", s.fragments},
+                     {"outside", s.outside},
+                     {"hidden", s.hidden},
+                     {"levels", s.levels},
+                     {"off", s.off},
+                     {"paths", figure.paths.size()},
+                     {"loops", s.loops},
+                     {"corners", s.corners},
+                     {"bytes", bytes.size()},
+                     {"ms", page::Object{{"picture and sort", msSorted},
+                                         {"join", msJoined - msSorted},
+                                         {"write", msWritten - msJoined}}}};
+  if (errors)
+    stats.emplace_back("errors", page::Object{{"samples", errors->samples},
+                                              {"differ", errors->differ},
+                                              {"largest", errors->largest},
+                                              {"ciede2000", spreadAsData(errors->figure)},
+                                              {"ciede2000_of_the_picture", spreadAsData(errors->picture)}});
+  std::cout << page::asJson(stats);
 }
 
 }  // namespace xnewell

@@ -12,7 +12,6 @@
 #include <iomanip>
 #include <iostream>
 #include <new>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,19 +31,13 @@
 #include "x11/app/snapshot.h"
 #include "x11/app/viewer.h"
 #include "x11/browser/write_page.h"
-#include "x11/command/draw_figure.h"
+#include "x11/command/commands.h"
 #include "x11/command/read_lecture.h"
 #include "x11/command/report.h"
-#include "x11/command/tell_extremes.h"
-#include "x11/command/tell_homework.h"
-#include "x11/command/tell_trade.h"
 #include "x11/command/trace.h"
-#include "x11/command/write_frames.h"
-#include "x11/command/write_lesson.h"
-#include "x11/command/write_worksheet.h"
 #include "x11/drawing/wording.h"
 #include "x11/kit/one_line.h"
-#include "x11/lessons/broken_claims.h"
+#include "x11/lessons/lesson_facts.h"
 #include "x11/options/carried_setup.h"
 #include "x11/options/exit_status.h"
 #include "x11/options/options.h"
@@ -69,7 +62,7 @@ namespace {
 struct Input {
   Scene scene;
   double msRead;
-  nlohmann::ordered_json accuracy;  ///< what --accuracy has chosen
+  page::Data accuracy;  ///< what --accuracy has chosen
 };
 
 /// From a scene to a picture in a file.
@@ -85,7 +78,7 @@ void drawPicture(const Options& options, Input in) {
                       : "that would take parts smaller than a thousandth of a polygon\n");
 
   drawing.reset();
-  const Measurements known = measured(options, picture);
+  const std::optional<Errors> errors = measuredErrors(options, picture);
   StageTimes times = picture.times();
   times.read = in.msRead;
   drawing.emplace("writing");
@@ -94,7 +87,7 @@ void drawPicture(const Options& options, Input in) {
   writePictures(options, picture, encodePng(withMarks(picture, palette), palette, noteOf(options, picture)));
   times.present = watch.ms();
   drawing.reset();
-  report(options, picture, known, times, in.accuracy);
+  report(options, picture, errors, times, in.accuracy);
 }
 
 /// Says why a pixel has its colour, or what the viewing transformation does to a vertex.
@@ -104,13 +97,12 @@ void explainPixel(const Options& options, Scene scene) {
   const Picture picture = makePicture(std::move(scene), settings, CellPlan{settings.table.kind}[Cell::Well]);
   drawing.reset();
   noteEmpty(std::cerr, picture);
-  const page::Page page =
-      options.gave("--viewing")
-          ? page::ofViewing({std::make_shared<const ViewingStory>(
-                                 picture, vertexOf(picture, options.window.vertex.value_or(""))),
-                             picture})
-          : page::ofPixel(std::make_shared<const PixelStory>(picture, options.pixel->x, options.pixel->y));
-  std::cout << (options.json ? page::asJson(page) : page::asText(page));
+  print(options,
+        options.gave("--viewing")
+            ? page::ofViewing({std::make_shared<const ViewingStory>(
+                                   picture, vertexOf(picture, options.window.vertex.value_or(""))),
+                               picture})
+            : page::ofPixel(std::make_shared<const PixelStory>(picture, options.pixel->x, options.pixel->y)));
 }
 
 /// Draws the numbers behind the picture (--view) and writes them.
@@ -133,7 +125,6 @@ void trace(const Options& options, Scene scene) {
     std::optional<Doing> drawing;
     return writeStepperFrames(options, std::move(scene), [&](int number, int all) {
       if (number % 25 != 1) return;
-      drawing.reset();  // each message replaces the one before
       drawing.emplace("drawing frame " + std::to_string(number) + " of " + std::to_string(all));
     });
   }
@@ -210,10 +201,8 @@ int teach(const Options& options) {
   const std::string all = " of " + std::to_string(lesson->steps.size());
   std::optional<Doing> writing;
   const auto write = options.frames.empty() ? writeWorksheet : writeLesson;
-  write(options, std::move(*lesson), [&](int step) {
-    writing.reset();  // each message replaces the one before
-    writing.emplace("drawing step " + std::to_string(step) + all);
-  });
+  write(options, std::move(*lesson),
+        [&](int step) { writing.emplace("drawing step " + std::to_string(step) + all); });
   return kDone;
 }
 
@@ -222,9 +211,9 @@ void snapshot(const Options& options, Input in) {
   takeSnapshot(options, std::move(in.scene),
                [&](const Picture& picture, const std::string& png, StageTimes times, const Sent& sent) {
                  times.read = in.msRead;
-                 const Measurements known = measured(options, picture);
+                 const std::optional<Errors> errors = measuredErrors(options, picture);
                  writePictures(options, picture, png);
-                 report(options, picture, known, times, in.accuracy, &sent);
+                 report(options, picture, errors, times, in.accuracy, &sent);
                });
 }
 
@@ -281,7 +270,7 @@ int run(int argc, char** argv) {
   Scene scene = readyScene(options);
   const double msRead = watch.ms();
   checkOutputs(outputsOf(options));
-  nlohmann::ordered_json accuracy;
+  page::Data accuracy;
   if (options.accuracy) accuracy = keepWithin(*options.accuracy, options, scene);
   return command.run(options, {std::move(scene), msRead, std::move(accuracy)});
 }

@@ -12,7 +12,7 @@
 #include "shading/scene/json_text.h"
 #include "x11/app/ready_scene.h"
 #include "x11/app/work.h"
-#include "x11/command/write_lesson.h"
+#include "x11/command/commands.h"
 #include "x11/options/shell_words.h"
 
 namespace xnewell {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "geometry/files/output_file.h"
@@ -12,14 +11,16 @@
 #include "shading/laboratory/exactness.h"
 #include "shading/picture/required.h"
 #include "shading/scene/divide_anew.h"
-#include "x11/command/errors_json.h"
-#include "x11/command/trade_report.h"
 #include "x11/terminal/doing.h"
 #include "x11/window/moot.h"
 
 namespace xnewell {
 
 namespace {
+
+using page::Data;
+using page::List;
+using page::Object;
 
 RgbImage idsOf(const Picture& picture) {
   RgbImage image{picture.settings().width, picture.settings().height};
@@ -30,19 +31,15 @@ RgbImage idsOf(const Picture& picture) {
 }
 
 /// The items that were required, or why they were or were not.
-nlohmann::ordered_json requiredIn(const std::vector<Required>& required, bool why) {
-  // If memory is refused to a null value that becomes an object, the library reads it all the same.
-  auto json = nlohmann::ordered_json::object();
+Data requiredIn(const std::vector<Required>& required, bool why) {
+  Object all;
   for (const Required& r : required)
-    if (why)
-      json[std::string{r.name}] = r.why;
-    else
-      std::visit([&](auto what) { json[std::string{r.name}] = what; }, r.what);
-  return json;
+    all.emplace_back(r.name, why ? Data{r.why} : std::visit([](auto what) { return Data{what}; }, r.what));
+  return all;
 }
 
 /// Why --adapt stopped dividing polygons; null if it was not asked for.
-nlohmann::ordered_json adaptLimitOf(const Picture& picture) {
+Data adaptLimitOf(const Picture& picture) {
   const PictureSettings& s = picture.settings();
   if (s.adapt == 0.0 || (s.shading != Shading::Flat && s.shading != Shading::Gouraud)) return nullptr;
   const std::optional<Refined>& refined = picture.shading().refined();
@@ -59,19 +56,20 @@ int doubtfulIn(const Picture& picture) {
   return exact ? 0 : exactnessOf(picture).doubtful;
 }
 
-nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, const StageTimes& t) {
+Object statsOf(const Options& options, const Picture& picture, const StageTimes& t) {
   const SnappedScene& scene = picture.snapped();
   const SortedScene& sorted = picture.sorted();
   const SortStatistics& sort = sorted.statistics;
   const auto painted = static_cast<std::int64_t>(sorted.fragments.size());
   const std::vector<Required> required = requiredBy(picture);
   const EdgeCounts edges = countEdges(picture.scene().mesh);
-  auto tests = nlohmann::ordered_json::object();
-  for (const TestRow& row : kTestRows) tests[std::string{row.name}] = sort.settled[static_cast<int>(row.id)];
-  tests["1"] = sort.boxesApart[0];
-  tests["2"] = sort.boxesApart[1];
+  Object tests;
+  for (const TestRow& row : kTestRows)
+    tests.emplace_back(row.name, row.name == "1"   ? sort.boxesApart[0]
+                                 : row.name == "2" ? sort.boxesApart[1]
+                                                   : sort.settled[static_cast<std::size_t>(row.id)]);
   return {{"scene", options.scene},
-          {"size", {picture.settings().width, picture.settings().height}},
+          {"size", List{picture.settings().width, picture.settings().height}},
           {"faces", picture.scene().mesh.faceCount()},
           {"open_edges", edges.open},
           {"turned_edges", edges.turned},
@@ -102,32 +100,76 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
           {"adapt_limit", adaptLimitOf(picture)},
           {"required", requiredIn(required, /*why=*/false)},
           {"required_because", requiredIn(required, /*why=*/true)},
-          {"ms",
-           {{"read", t.read},
-            {"shade", t.shade},
-            {"transform", t.transform},
-            {"sort", t.sort},
-            {"fill", t.fill},
-            {"present", t.present},
-            {"total", t.total()}}}};
+          {"ms", Object{{"read", t.read},
+                        {"shade", t.shade},
+                        {"transform", t.transform},
+                        {"sort", t.sort},
+                        {"fill", t.fill},
+                        {"present", t.present},
+                        {"total", t.total()}}}};
+}
+
+Data dataOf(const WorstPlace& place) {
+  const auto face = [](int number) { return number < 0 ? Data{nullptr} : Data{number}; };
+  return Object{{"x", place.x},
+                {"y", place.y},
+                {"error", place.error},
+                {"shows", place.shown},
+                {"should", place.due},
+                {"shows_face", face(place.shownFace)},
+                {"should_face", face(place.face)}};
 }
 
 }  // namespace
 
-Measurements measured(const Options& options, const Picture& picture) {
-  Measurements measured;
-  if (options.costs) {
-    const Doing measuring{"measuring what each item costs"};
-    measured.costs = itemCostsOf(picture, {.seconds = 2, .leastRounds = 3});
+Object spreadAsData(const Spread& spread) {
+  return {{"mean", spread.mean},
+          {"rms", spread.rootMeanSquare},
+          {"p99", spread.p99},
+          {"largest", spread.largest}};
+}
+
+Object errorsAsData(const Errors& errors) {
+  Data patches, blocks;
+  List worst;
+  if (const auto& p = errors.patches)
+    patches = Object{{"samples", p->samples},
+                     {"mean", p->mean},
+                     {"largest", p->largest},
+                     {"mean_pixels", p->meanPixels},
+                     {"largest_pixels", p->largestPixels}};
+  if (errors.blocks) blocks = spreadAsData(*errors.blocks);
+  for (const WorstPlace& place : errors.worst) worst.push_back(dataOf(place));
+  return {{"samples", errors.samples},
+          {"wrong_faces", errors.wrongFaces},
+          {"intensity", Object{{"before_table", spreadAsData(errors.beforeTable)},
+                               {"after_table", spreadAsData(errors.afterTable)}}},
+          {"ciede2000", spreadAsData(errors.color)},
+          {"distance_to_patches", patches},
+          {"blocks_8x8", blocks},
+          {"worst", worst}};
+}
+
+PictureSettings settingsOf(const Options& options, glm::ivec2 usual) {
+  PictureSettings settings = options.picture;
+  const glm::ivec2 size = options.size.value_or(usual);
+  settings.width = size.x, settings.height = size.y;
+  return settings;
+}
+
+void print(const Options& options, const page::Page& page) {
+  std::cout << (options.json ? asJson(page) : asText(page)) << std::flush;
+}
+
+std::optional<Errors> measuredErrors(const Options& options, const Picture& picture) {
+  if (!options.errors) return std::nullopt;
+  const Doing measuring{"measuring the errors"};
+  try {
+    return errorsOf(picture, picture.palette(CellPlan{picture.settings().table.kind}));
+  } catch (const ViewError& e) {
+    throw ViewError{"the errors cannot be measured (the picture can be drawn without --errors): " +
+                    std::string{e.what()}};
   }
-  if (options.errors) try {
-      const Doing measuring{"measuring the errors"};
-      measured.errors = errorsOf(picture, picture.palette(CellPlan{picture.settings().table.kind}));
-    } catch (const ViewError& e) {
-      throw ViewError{"the errors cannot be measured (the picture can be drawn without --errors): " +
-                      std::string{e.what()}};
-    }
-  return measured;
 }
 
 void writePictures(const Options& options, const Picture& picture, const std::string& png) {
@@ -140,25 +182,24 @@ void writePictures(const Options& options, const Picture& picture, const std::st
   writeFiles(files);
 }
 
-void report(const Options& options, const Picture& picture, const Measurements& measured,
-            const StageTimes& times, const nlohmann::ordered_json& accuracy, const Sent* sent) {
+void report(const Options& options, const Picture& picture, const std::optional<Errors>& errors,
+            const StageTimes& times, const Data& accuracy, const Sent* sent) {
   noteMoot(std::cerr, options, picture);
   if (!options.stats) return;
-  // A file name need not be UTF-8, but JSON can hold nothing else.
-  nlohmann::ordered_json stats = statsOf(options, picture, times);
-  if (!accuracy.is_null()) stats["accuracy"] = accuracy;
+  Object stats = statsOf(options, picture, times);
+  if (accuracy.index() > 0) stats.emplace_back("accuracy", accuracy);
   if (sent != nullptr)
-    stats["sent"] = {{"requests", sent->requests},
-                     {"bytes", sent->bytes},
-                     {"image_bytes", sent->imageBytes},
-                     {"bits_per_pixel", sent->bitsPerPixel},
-                     {"shared_memory", sent->sharedMemory}};
-  if (options.costs) stats["required_cost_ms"] = itemCostsAsJson(measured.costs);
-  if (measured.errors) {
-    stats["errors"] = errorsAsJson(*measured.errors);
-    stats["errors"]["reference_divisions"] = finestDivisions(picture.scene());
+    stats.emplace_back("sent", Object{{"requests", sent->requests},
+                                      {"bytes", sent->bytes},
+                                      {"image_bytes", sent->imageBytes},
+                                      {"bits_per_pixel", sent->bitsPerPixel},
+                                      {"shared_memory", sent->sharedMemory}});
+  if (errors) {
+    Object found = errorsAsData(*errors);
+    found.emplace_back("reference_divisions", finestDivisions(picture.scene()));
+    stats.emplace_back("errors", found);
   }
-  std::cout << stats.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  std::cout << page::asJson(stats);
 }
 
 }  // namespace xnewell

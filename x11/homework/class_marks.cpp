@@ -16,10 +16,9 @@
 #include "shading/picture/picture_cache.h"
 #include "x11/drawing/wording.h"
 #include "x11/homework/answer_file.h"
-#include "x11/homework/diagnosis_report.h"
 #include "x11/homework/html.h"
 #include "x11/homework/judge_run.h"
-#include "x11/homework/judgement_report.h"
+#include "x11/homework/reports.h"
 
 namespace xnewell {
 

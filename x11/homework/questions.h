@@ -54,8 +54,5 @@ struct QuestionKind {
 /// may differ from machine to machine.)
 [[nodiscard]] int rolled(Dice& dice, int low, int high);
 [[nodiscard]] double rolled(Dice& dice, int low, int high, double per);
-/// The kinds of each file.
-[[nodiscard]] std::vector<QuestionKind> numberQuestions();
-[[nodiscard]] std::vector<QuestionKind> sceneQuestions();
 
 }  // namespace xnewell

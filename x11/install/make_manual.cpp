@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "x11/install/completions.h"
-#include "x11/install/man_page.h"
+#include "x11/install/manual.h"
 
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);

@@ -191,8 +191,14 @@ struct Grid {
   }
 };
 
-nlohmann::ordered_json jsonOf(const Data& data) {
-  using Json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
+
+/// A file name need not be UTF-8, but JSON can hold nothing else.
+std::string dumped(const Json& json, int indent = -1) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+Json jsonOf(const Data& data) {
   return std::visit(
       [](const auto& v) -> Json {
         using T = std::decay_t<decltype(v)>;
@@ -246,7 +252,7 @@ std::string asText(const Page& page) {
 }
 
 std::string asJson(const Page& page) {
-  nlohmann::ordered_json found = nlohmann::ordered_json::object(), all = found;
+  Json found = Json::object(), all = found;
   for (const Section& s : page.sections)
     for (const Part& part : s.parts) {
       if (const auto* f = std::get_if<Fact>(&part); f && !f->key.empty())
@@ -269,8 +275,10 @@ std::string asJson(const Page& page) {
     if (const auto at = found.find(key); at != found.end()) all[key] = *at;
   }
   all.update(found);
-  return all.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+  return dumped(all, page.indent);
 }
+
+std::string asJson(const Data& data) { return dumped(jsonOf(data)); }
 
 int pitchOf(const Rect& body) {
   return body.height < 500 ? 14 : 16 + std::clamp((body.height - 600) / 60, 0, 4);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
@@ -23,10 +24,15 @@ using Object = std::vector<std::pair<std::string_view, Data>>;
 struct Data : std::variant<std::nullptr_t, bool, std::int64_t, double, std::string, List, Object> {
   using variant::variant;
   Data(int v) : variant{std::int64_t{v}} {}
+  Data(std::size_t v) : variant{static_cast<std::int64_t>(v)} {}
   Data(const char* v) : variant{std::string{v}} {}
   Data(std::string_view v) : variant{std::string{v}} {}
   template <glm::length_t n, class T>
   Data(const glm::vec<n, T>& v) : variant{List(&v[0], &v[0] + n)} {}
+  template <class T>
+  requires(std::same_as<T, int> || std::same_as<T, std::string> || std::same_as<T, std::string_view>)
+      Data(const std::vector<T>& v)
+      : variant{List(v.begin(), v.end())} {}
   template <class T>
   Data(const std::optional<T>& v) {
     if (v) *this = Data{*v};
@@ -142,6 +148,7 @@ struct Page {
   std::vector<Section> sections = {};
   std::vector<Question> questions = {};
   std::string_view order = {};  ///< of JSON's keys, between spaces; others follow
+  int indent = -1;              ///< of JSON, in letters; -1: one line
 };
 
 /// Values of this rank and of higher ones are hidden; 0: none is.
@@ -153,6 +160,7 @@ struct Hiding {
 [[nodiscard]] std::vector<std::string> asLines(const Page& page, Hiding hiding = {});
 [[nodiscard]] std::string asText(const Page& page);
 [[nodiscard]] std::string asJson(const Page& page);
+[[nodiscard]] std::string asJson(const Data& data);
 
 /// What a click finds.
 struct Pressed {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/exact/box.h"
+#include "shading/scene/units.h"
 #include "x11/drawing/wording.h"
 #include "x11/lessons/lesson_facts.h"
 #include "x11/lessons/lesson_sight.h"
@@ -310,6 +312,144 @@ std::string LessonBench::aside() const {
   if (changed_) return "changed: the words describe the step as it began";
   if (!now().question) return "";
   return taken().given ? "another letter answers again" : "the outcome is hidden until you answer";
+}
+
+namespace {
+
+using Kind = Control::Kind;
+
+Control toggle(bool& on, LessonState& state) {
+  return {.kind = Kind::Toggle, .value = on ? 1.0 : 0.0, .set = [&](double value) {
+            on = value != 0;
+            state.late = true;
+          }};
+}
+
+Control rotateControl(LessonState& state) {
+  Control control = toggle(state.moving, state);
+  control.set = [&state, set = control.set](double value) {
+    set(value);
+    if (!state.moving) state.exhibit.effects.rotate = 0;
+  };
+  return control;
+}
+
+Control eventControl(LessonState& state) {
+  const auto go = [&state](int event) {
+    state.event = std::clamp(event, 1, state.events);
+    state.late = true;
+  };
+  return {.kind = Kind::Own,
+          .value = static_cast<double>(state.event),
+          .range = {1, static_cast<double>(state.events), 1, false, 0},
+          .words = std::to_string(state.event) + " of " + std::to_string(state.events),
+          .set = [go](double event) { go(static_cast<int>(event)); },
+          .move = [&state, go](int along, int up) { go(state.event + along + up); }};
+}
+
+Control plainControl(char key, LessonState& state, Host& host, double aspect) {
+  const ChangeSetup change = [&host](char control, const auto& edit) { host.change(control, edit); };
+  const Scene& scene = *state.exhibit.scene;
+  const Subject subject{scene, centreOf(scene), aspect};
+  if (key == 'M') return toggle(state.exhibit.named, state);
+  if (key == 'W') return toggle(state.exhibit.wrongMarked, state);
+  if (key == 'm') return rotateControl(state);
+  if (key == 'v') return eventControl(state);
+  if (key == 'g')
+    return gammaControl(state.exhibit.effects.gamma, [&state](double gamma) {
+      state.exhibit.effects.gamma = gamma;
+      state.late = true;
+    });
+  if (key == 'l') return lightControl(host.setup(), subject, change);
+  const Controls camera = cameraControls(host.setup(), subject, change);
+  const auto own = std::ranges::find(camera, key, &Control::key);
+  return own != camera.end() ? *own : settingControl(key, host.setup(), host.defaults(), change);
+}
+
+/// The key in a step where `key` chooses an answer, `a` to `d`.
+char spareOf(char key) { return key == 'a' ? 'k' : key == 'c' ? 'x' : key == 'd' ? 'f' : key; }
+
+}  // namespace
+
+Controls stepControls(const LessonStep& step, LessonState& state, Host& host, double aspect) {
+  const std::size_t answers = step.question ? step.question->answers.size() : 0;
+  Controls all;
+  for (const char key : step.controls) {
+    const LessonControl& row = *std::ranges::find(lessonControls(), key, &LessonControl::id);
+    Control control = plainControl(key, state, host, aspect);
+    const bool answer = key >= 'a' && static_cast<std::size_t>(key - 'a') < answers;
+    control.key = answer ? spareOf(key) : key;
+    control.label = row.label;
+    if (!row.is.empty()) control.is = row.is;
+    if (!row.words.empty()) control.words = row.words;
+    all.push_back(std::move(control));
+  }
+  return all;
+}
+
+void LessonList::read() {
+  if (entries_.empty()) entries_ = builtInLessons();
+}
+
+void LessonList::choose(const std::string& name) {
+  const auto found = std::ranges::find(entries_, name, &LessonEntry::name);
+  chosen_ = found == entries_.end() ? 0 : static_cast<int>(found - entries_.begin());
+}
+
+void LessonList::openRow(int row) {
+  chosen_ = row;
+  open_(entries_[static_cast<std::size_t>(row)]);
+}
+
+Controls LessonList::controls() {
+  Controls all;
+  for (int k = 0; k < static_cast<int>(entries_.size()); ++k)
+    all.push_back({.kind = Control::Kind::Button, .part = k, .set = [this, k](double) { openRow(k); }});
+  return all;
+}
+
+KeyTable LessonList::keys() {
+  const int last = static_cast<int>(entries_.size()) - 1;
+  if (last < 0) return {};
+  const auto to = [this, last](int row) {
+    return [this, row = std::clamp(row, 0, last)](const Key&) { chosen_ = row; };
+  };
+  const std::string does = "choose a lesson";
+  return {{{NamedKey::Up}, "choose", does, to(chosen_ - 1)},
+          {{NamedKey::Down}, "choose", does, to(chosen_ + 1)},
+          {{NamedKey::Home}, "", does, to(0)},
+          {{NamedKey::End}, "", does, to(last)},
+          {{NamedKey::Return}, "begin", "begin the lesson; or click it", [this](const Key&) {
+             openRow(chosen_);
+           }}};
+}
+
+void LessonList::draw(Pen& pen, const Layout& at, ControlList& places, const Lesson* open,
+                      const KeptAnswers& answers) {
+  const Rect& body = at.body;
+  pen.paint.text(body.x, body.y + 21, "Lessons", pen(Cell::Ink), Voice::Title);
+  pen.softRight(body.x + body.width, body.y + 21, "arrows, then Return; or the pointer");
+  pen.rule(body.x, body.y + (at.compact ? 34 : 42), body.width);
+  int top = body.y + (at.compact ? 44 : 60);
+  const int count = std::max(1, static_cast<int>(entries_.size()));
+  const int pitch = std::min(at.compact ? 34 : 44, (body.y + body.height - top) / count);
+  const bool close = pitch < 33;  // two lines of text, and hardly anything between the rows
+  for (int k = 0; k < static_cast<int>(entries_.size()); ++k, top += pitch) {
+    const LessonEntry& lesson = entries_[static_cast<std::size_t>(k)];
+    const Rect row{body.x, top, body.width, pitch - (close ? 1 : 4)};
+    places.place({0, k}, {.area = row, .bare = true});
+    const int y = row.y + (pitch < 26 ? 10 : close ? 11 : at.compact ? 13 : 16);
+    if (k == chosen_) {
+      pen.paint.fillRect(row, pen(Cell::Focus));
+      pen.paint.fillRect({row.x, row.y, 2, row.height}, pen(Cell::Ink));
+    }
+    pen.softRight(row.x + 32, y, std::to_string(lesson.number));
+    const int end = pen.bold(row.x + 48, y, lesson.title);
+    if (open && open->name == lesson.name) pen.soft(end + 18, y, "open");
+    pen.softRight(row.x + row.width - 8, y, answers.score(lesson.name));
+    pen.soft(row.x + 48, y + (pitch < 26 ? 12 : close ? 13 : at.compact ? 14 : 17), lesson.shows);
+  }
+  drawn_ = chosen_;
 }
 
 }  // namespace xnewell

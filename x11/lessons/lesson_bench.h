@@ -1,18 +1,60 @@
 #pragma once
 
+#include <functional>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "x11/kit/control_list.h"
 #include "x11/lessons/kept_answers.h"
 #include "x11/lessons/lesson.h"
-#include "x11/lessons/lesson_controls.h"
-#include "x11/lessons/lesson_list.h"
 #include "x11/lessons/lesson_page.h"
 #include "x11/window/bench.h"
+#include "x11/window/layout.h"
+#include "x11/window/setting_controls.h"
 
 namespace xnewell {
+
+/// The list of all lessons. The arrows choose one; Return or a click opens it.
+class LessonList {
+ public:
+  explicit LessonList(std::function<void(const LessonEntry&)> open) : open_{std::move(open)} {}
+
+  /// Reads the titles, unless they are known.
+  void read();
+  [[nodiscard]] const std::vector<LessonEntry>& entries() const { return entries_; }
+  /// Chooses the lesson with this name, or the first one.
+  void choose(const std::string& name);
+
+  /// A button for each row.
+  [[nodiscard]] Controls controls();
+  [[nodiscard]] KeyTable keys();
+  [[nodiscard]] bool late() const { return chosen_ != drawn_; }
+  /// Draws the list with the scores, and places its rows in `places`. `open` is the lesson that is open; null
+  /// for none.
+  void draw(Pen& pen, const Layout& at, ControlList& places, const Lesson* open, const KeptAnswers& answers);
+
+ private:
+  void openRow(int row);
+
+  std::function<void(const LessonEntry&)> open_;
+  std::vector<LessonEntry> entries_;
+  int chosen_ = 0, drawn_ = -1;  ///< rows
+};
+
+/// What the controls that only lessons have can change.
+struct LessonState {
+  Exhibit exhibit;            ///< the exhibit as it is shown now: names, wrong faces, effects
+  int event = 1, events = 1;  ///< the step of the depth sort's run, and how many there are
+  bool moving = false;        ///< the ramp moves
+  bool late = true;           ///< the page does not show it yet
+};
+
+/// The controls of a step, in the step's order: those of the window, which change the host's setup, and a few
+/// that only lessons have. `aspect` is that of the picture, width to height. State and host must outlive
+/// them.
+[[nodiscard]] Controls stepControls(const LessonStep& step, LessonState& state, Host& host, double aspect);
 
 /// Lessons in the window, without a server: which step is shown, what was answered, and what keys and pointer
 /// do. A step has its own scene and settings; those of the window come back when the user leaves the lesson.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 
 #include "geometry/files/text_file.h"
 #include "shading/explain/rounded_terms.h"
@@ -11,8 +12,11 @@
 #include "shading/explain/term_values.h"
 #include "shading/laboratory/profile.h"
 #include "shading/picture/cell_use.h"
+#include "shading/picture/picture_cache.h"
 #include "x11/drawing/wording.h"
 #include "x11/lessons/lesson_sight.h"
+#include "x11/viewing/lit_parts.h"
+#include "x11/viewing/viewing_page.h"
 #include "x11/views/table_curves.h"
 
 namespace xnewell {
@@ -389,6 +393,81 @@ std::string checkPlaceholders(std::string_view words) {
     if (!factNamed(name)) return "there is no fact " + inQuotes(name) + "; the facts are " + factNames();
     words.remove_prefix(close + 1);
   }
+}
+
+namespace {
+
+double facesOff(const Picture& picture, const ViewingStory& story, ViewStage shadedIn) {
+  const Palette none{};  // a plan of colours has no shades to compare
+  const LitParts world{picture, none}, there{picture, none, &story.stages, shadedIn};
+  const Mesh& mesh = picture.scene().mesh;
+  int off = 0;
+  for (int face = 0; face < mesh.faceCount(); ++face)
+    if (const CellOnRamp* const ramp = world.ramp(face)) {
+      const int corner = mesh.firstCorner[face];
+      off += (*ramp)(world.at(corner, false)) != (*ramp)(there.at(corner, false));
+    }
+  return off;
+}
+
+}  // namespace
+
+ViewingFacts viewingFactsOf(const Picture& picture, const Exhibit& exhibit) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  ViewingFacts facts{kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone};
+  if (exhibit.stage != Stage::Viewing) return facts;
+  const ViewingStory story{picture, exhibit.vertex};
+  const VertexAtStage &world = story.world(), &here = story.of(exhibit.viewStage);
+  facts.worldNdotL = world.NdotL.value_or(kNone), facts.worldI = world.I;
+  facts.stageNdotL = here.NdotL.value_or(kNone), facts.stageI = here.I;
+  if (world.cell && here.cell) facts.cells = std::abs(*world.cell - *here.cell);
+  facts.facesOff = facesOff(picture, story, exhibit.shadedIn);
+  const glm::dvec4 at = shownAt(story, exhibit.viewStage, lengthUnit(picture.scene()));
+  facts.w = at.w, facts.z = at.z;
+  const Mesh& mesh = picture.scene().mesh;
+  facts.outside = 0;
+  for (const int corner : mesh.corners) facts.outside += story.stages.outside(mesh.points[corner]) != 0;
+  return facts;
+}
+
+namespace {
+
+/// Adds a sentence for each claim of the exhibit that does not hold where it is drawn.
+void check(const Exhibit& exhibit, const std::string& place, const Layout& window,
+           std::vector<std::string>& broken) {
+  if (exhibit.claims.empty()) return;
+  constexpr std::uint8_t kGround = 8;
+  const SightLayout at = layoutOfSight(sightOf(window), exhibit, window.compact);
+  const auto drawn = [&](PictureSettings settings, const Rect& area) {
+    settings.width = area.width, settings.height = area.height;
+    return makePicture(*exhibit.scene, settings, kGround);
+  };
+  const Picture picture = drawn(exhibit.settings, at.picture);
+  std::optional<Picture> lower;
+  if (exhibit.stage == Stage::SideBySide) lower = drawn(exhibit.beside, at.lower);
+  ShownExhibit facts{picture, picture.image(), lower ? &lower->image() : nullptr, exhibit};
+  for (const Claim& claim : exhibit.claims) {
+    if (facts.holds(claim)) continue;
+    const FactRow& fact = allFacts()[static_cast<std::size_t>(claim.fact)];
+    broken.push_back(place + ": " + std::string{fact.name} + " is " + facts.text(fact) +
+                     ", which is not what the lesson claims");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> brokenClaims(const Lesson& lesson, glm::ivec2 window) {
+  const Layout at = layoutOf(window.x, window.y);
+  std::vector<std::string> broken;
+  for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
+    const std::string place = "step " + std::to_string(k + 1);
+    check(lesson.steps[k].exhibit, place, at, broken);
+    if (!lesson.steps[k].question) continue;
+    char letter = 'a';
+    for (const LessonAnswer& answer : lesson.steps[k].question->answers)
+      check(answer.shown, place + ", answer " + letter++, at, broken);
+  }
+  return broken;
 }
 
 }  // namespace xnewell

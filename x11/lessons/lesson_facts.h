@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,9 +14,19 @@
 #include "shading/laboratory/exactness.h"
 #include "shading/picture/picture.h"
 #include "x11/lessons/exhibit.h"
-#include "x11/lessons/viewing_facts.h"
+#include "x11/lessons/lesson.h"
 
 namespace xnewell {
+
+/// The numbers of a stage of the viewing transformation that lessons tell: NaN where the exhibit shows none.
+struct ViewingFacts {
+  double worldNdotL, worldI, stageNdotL, stageI;  ///< of the vertex that is followed
+  double cells;                                   ///< from the world's cell to the stage's, either way
+  double facesOff;  ///< faces whose front has another cell if the light is computed where the exhibit says
+  double w, z;      ///< of the vertex at the stage; z in units of the file up to the shear
+  double outside;   ///< corners of faces outside the planes that clip
+};
+[[nodiscard]] ViewingFacts viewingFactsOf(const Picture& picture, const Exhibit& exhibit);
 
 /// The numbers in lessons. A lesson's file holds none of them: the program replaces {cuts} in its words by
 /// what it counts, and a claim says which number a sentence relies on.
@@ -108,5 +119,10 @@ class ShownExhibit {
 
 /// What is wrong with the placeholders in the words, or "".
 [[nodiscard]] std::string checkPlaceholders(std::string_view words);
+
+/// The claims of a lesson's steps and answers that do not hold in a window of so many units, one sentence
+/// each: "step 2, answer b: cuts is 2, which is not what the lesson claims". A sentence of the lesson rests
+/// on each.
+[[nodiscard]] std::vector<std::string> brokenClaims(const Lesson& lesson, glm::ivec2 window);
 
 }  // namespace xnewell

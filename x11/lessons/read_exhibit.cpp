@@ -5,6 +5,7 @@
 #include "geometry/view/view.h"
 #include "shading/scene/read_camera.h"
 #include "shading/scene/read_shading.h"
+#include "x11/lessons/exhibit.h"
 #include "x11/lessons/lesson_facts.h"
 
 namespace xnewell {
@@ -211,6 +212,17 @@ Exhibit readExhibit(const Node& node, const Exhibit* base, SceneShelf& shelf) {
     for (const std::string& name : node.at("claims").keys())
       exhibit.claims.push_back(readClaim(name, node.at("claims").at(name)));
   return exhibit;
+}
+
+std::optional<int> stepOf(const SortedScene& run, const EventChoice& choice) {
+  int left = choice.number;
+  for (std::size_t k = 0; k < run.events.size(); ++k) {
+    const Event& e = run.events[k];
+    const bool one = choice.test ? e.kind == Event::Kind::Compare && e.test == *choice.test
+                                 : !choice.kind || e.kind == *choice.kind;
+    if (one && --left == 0) return static_cast<int>(k) + 1;
+  }
+  return std::nullopt;
 }
 
 }  // namespace xnewell

@@ -226,10 +226,6 @@ std::vector<OptionRow> rowsFor(Options& o) {
          "print --stats with the errors of the picture: how far it is from a reference without short cuts, "
          "and where; with figure, how far the areas are from the picture and from that reference")
       .only({"draw", "snapshot", "figure"});
-  r.flag("--costs", o.costs,
-         "print --stats with the milliseconds that each required item costs; this makes the picture again, "
-         "with and without each, for some seconds")
-      .only({"draw", "snapshot"});
   r.text(
        "--accuracy",
        "RMS[,WRONG], window, draw, snapshot: measure a trade first, and take the cheapest point of its front "
@@ -343,7 +339,7 @@ void take(const std::vector<OptionRow>& rows, const Given& given, Options& o) {
   for (const OptionRow& row : rows)
     for (const auto& [name, text] : given)
       if (name == row.name) row.take(text);
-  o.stats = o.stats || o.errors || o.costs;
+  o.stats = o.stats || o.errors;
 }
 
 /// Complaints about what a picture carries begin with its name.

@@ -145,9 +145,8 @@ struct Options {
   ModelEdges edges = ModelEdges::None;
   glm::dvec3 edgeColor{0};
   bool bare = false;    ///< the PNG file carries no set-up
-  bool stats = false;   ///< also if only --errors or --costs was given
+  bool stats = false;   ///< also if only --errors was given
   bool errors = false;  ///< with the errors
-  bool costs = false;   ///< with what each required item costs
   bool json = false;    ///< explain, extremes, trade: all numbers instead of the text
   TradeRequest trade;
   /// How wrong the picture may be; the program chooses the cheapest short cuts that stay within it.

@@ -113,7 +113,7 @@ void checkView(const Options& o) {
   if (o.stats || !o.ids.empty())
     throw UsageError{
         view +
-        " is not just the picture: --stats, --errors, --costs and --ids work only with --view picture"};
+        " is not just the picture: --stats, --errors and --ids work only with --view picture"};
 }
 
 /// True if only a picture gives the option.

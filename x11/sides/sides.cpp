@@ -9,7 +9,7 @@
 #include "shading/color/quantize.h"
 #include "shading/picture/picture_cache.h"
 #include "x11/drawing/wording.h"
-#include "x11/views/step_legend.h"
+#include "x11/views/picture_sheet.h"
 
 namespace xnewell {
 

@@ -7,7 +7,7 @@
 #include "x11/drawing/pen.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
-#include "x11/views/step_legend.h"
+#include "x11/views/picture_sheet.h"
 
 namespace xnewell {
 

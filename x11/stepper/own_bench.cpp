@@ -3,7 +3,7 @@
 
 #include "geometry/files/output_file.h"
 #include "x11/drawing/wording.h"
-#include "x11/homework/judgement_report.h"
+#include "x11/homework/reports.h"
 #include "x11/kit/file_question.h"
 #include "x11/options/setup_command.h"
 #include "x11/options/shell_words.h"

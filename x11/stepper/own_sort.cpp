@@ -10,7 +10,7 @@
 #include "shading/diagnose/pair_scene.h"
 #include "x11/drawing/wording.h"
 #include "x11/homework/hidden_samples.h"
-#include "x11/homework/judgement_report.h"
+#include "x11/homework/reports.h"
 #include "x11/stepper/fragment_tint.h"
 #include "x11/stepper/sort_wording.h"
 

@@ -1,18 +1,50 @@
 #include "x11/trade/trade_bench.h"
-#include "x11/kit/file_question.h"
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <filesystem>
+#include <system_error>
+#include <utility>
 
 #include "geometry/files/output_file.h"
 #include "shading/color/png.h"
+#include "shading/picture/facts.h"
+#include "shading/picture/picture_cache.h"
+#include "shading/picture/stopwatch.h"
+#include "shading/trade/configuration.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/wording.h"
-#include "x11/trade/chosen_setup.h"
-#include "x11/views/trade_table.h"
+#include "x11/kit/file_question.h"
+#include "x11/views/trade_chart.h"
+#include "x11/window/controls.h"
 
 namespace xnewell {
+
+namespace {
+
+/// ---- What is measured, and what is chosen
+
+/// The setup with what a configuration changes.
+Setup withChanges(Setup setup, const Configuration& chosen) {
+  for (const Change& change : chosen.changes)
+    if (change.setting)
+      (void)applyOverrides(setup.picture, {{change.setting, change.value}});
+    else
+      setup.divisions = static_cast<int>(change.value);
+  return setup;
+}
+
+/// What the measurements of a trade depend on: all but the colours in the cells, the filler, and what view 1
+/// shows.
+Setup measuredPart(Setup setup) {
+  setup.picture = withoutColors(setup.picture);
+  setup.fill = Fill::Scanline;
+  setup.show = Show::Shaded;
+  return setup;
+}
+
+}  // namespace
 
 void TradeBench::measure(const Picture& picture, const Setup& setup) {
   measuring_.reset();
@@ -311,6 +343,58 @@ void TradeBench::draw(Painter paint, const Desk& desk) {
                       " on the front";
   aside_ = measuring_ ? "" : grouped(known_.trade.ofCombinations.rounds) + " rounds, in turn";
   changed_ = false;
+}
+
+namespace {
+
+constexpr double kBetweenNews = 150;  // ms
+constexpr double kAtOnce = 3;         // seconds
+
+}  // namespace
+
+Measuring::Measuring(Scene scene, const PictureSettings& settings, TradeRequest request) {
+  const auto measure = [this, scene = Shared<Scene>{std::move(scene)}, settings](TradeRequest asked) {
+    try {
+      asked.axes = choosableAxes(PictureCache{scene}.make(settings));
+      publish({measured(scene, settings, asked), "", true, ""});
+    } catch (const std::exception& e) {
+      publish({{}, "", true, e.what()});
+    }
+  };
+  try {
+    thread_ = std::thread{measure, request};
+  } catch (const std::system_error&) {  // there is no other thread, and the window stands still meanwhile
+    request.seconds = std::min(request.seconds, kAtOnce);
+    measure(std::move(request));
+  }
+}
+
+Trade Measuring::measured(const Shared<Scene>& scene, const PictureSettings& settings,
+                          const TradeRequest& request) {
+  const Stopwatch watch;
+  double told = -kBetweenNews;
+  return tradeOf(scene, settings, request, [&](const std::string& doing, const Trade& known) {
+    if (watch.ms() >= told + kBetweenNews) {
+      told = watch.ms();
+      publish({known, doing, false, ""});
+    }
+    return !stop_;
+  });
+}
+
+Measuring::~Measuring() {
+  stop_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+void Measuring::publish(News news) {
+  const std::lock_guard lock{mutex_};
+  news_ = std::move(news);
+}
+
+std::optional<Measuring::News> Measuring::news() {
+  const std::lock_guard lock{mutex_};
+  return std::exchange(news_, std::nullopt);
 }
 
 }  // namespace xnewell

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/type_precision.hpp>
+#include <string>
 
 #include "depthsort/oracle.h"
 #include "shading/color/quantize.h"
+#include "x11/drawing/sheet.h"
+#include "x11/drawing/wording.h"
+#include "x11/views/picture_sheet.h"
 
 namespace xnewell {
 
@@ -68,6 +72,144 @@ Compared comparedWithReference(const Picture& picture, const Truth& truth) {
   }
   result.difference.wrongFaces = comparison.wrongFaceCount();
   return result;
+}
+
+namespace {
+
+constexpr int kDifferenceSwatch = 36;
+
+/// The layout: the two pictures above, the difference and its numbers below.
+struct DifferencePlaces {
+  Rect picture, reference, difference;
+  int captions, sections;  ///< y
+  int numbers;             ///< x
+
+  DifferencePlaces(int width, int height) {
+    const int left = Sheet::kMargin, column = (width - 2 * Sheet::kMargin - Sheet::kGutter) / 2;
+    captions = Sheet::kMargin - 4;
+    const int top = captions + 20, between = 12;
+    const int rows = (height - top - between - Sheet::kSection - Sheet::kMargin) / 2;
+    sections = top + rows + between;
+    numbers = width - Sheet::kMargin - column;
+    picture = {left, top, column, rows};
+    reference = {numbers, top, column, rows};
+    difference = {left, sections + Sheet::kSection, column, rows};
+  }
+};
+
+void caption(Sheet& sheet, const Rect& of, int y, std::string_view bold, std::string_view soft) {
+  const int x = sheet.painter().text(of.x, y + Sheet::kAscent, bold, sheet.cell(Cell::Ink), Voice::Bold);
+  if (x + 12 + textWidth(soft) <= of.x + of.width)
+    sheet.painter().text(x + 12, y + Sheet::kAscent, soft, sheet.cell(Cell::Soft));
+}
+
+void drawSteps(Sheet& sheet, const Difference& d, const Rect& at, const CellPlan& plan) {
+  sheet.painter().place(stepsImage(d, plan), {0, 0, at.width, at.height}, at.x, at.y);
+  if (d.above == 0) return;
+  Painter painter = sheet.painter().within(at);
+  const int x = at.x + static_cast<int>(d.largestAt % d.width),
+            y = at.y + static_cast<int>(d.largestAt / d.width);
+  painter.ring(x, y, 8, sheet.cell(Cell::White));
+  painter.ring(x, y, 9, sheet.cell(Cell::Black));
+}
+
+/// Draws the steps side by side with their limits below the borders, and what they mean in words.
+int drawScale(Sheet& sheet, const UnlikeRow& measure, int x, int y) {
+  Painter painter = sheet.painter();
+  for (int step = 0; step < static_cast<int>(kDoublingSteps.size()); ++step) {
+    painter.fillRect({x + step * kDifferenceSwatch, y, kDifferenceSwatch, 12},
+                     sheet.cell(kDoublingSteps[step].cell));
+    if (step == 0) continue;
+    const std::string limit = std::to_string(1 << (step - 1));
+    painter.text(x + step * kDifferenceSwatch - textWidth(limit) / 2, y + 14 + Sheet::kAscent, limit,
+                 sheet.cell(Cell::Soft));
+  }
+  const int width = kDifferenceSwatch * static_cast<int>(kDoublingSteps.size());
+  painter.frame({x, y, width, 12}, sheet.cell(Cell::Ink));
+  painter.text(x + width + 8, y + Sheet::kAscent - 1, measure.times, sheet.cell(Cell::Soft));
+  painter.text(x, y + 32 + Sheet::kAscent,
+               "Darkest: below " + std::string{measure.unitInWords} + "; each step doubles.",
+               sheet.cell(Cell::Soft));
+  return y + 32 + Sheet::kLine;
+}
+
+std::string share(const Difference& d) {
+  return fixed(d.errors.count == 0
+                   ? 0.0
+                   : 100.0 * static_cast<double>(d.above) / static_cast<double>(d.errors.count),
+               2) +
+         " %";
+}
+
+void drawNumbers(Sheet& sheet, const Difference& d, int x, int y, int width) {
+  const int height = static_cast<int>(d.at.size()) / d.width;
+  const UnlikeRow& measure = rowOf(d.kind);
+  const int decimals = measure.decimals;
+  const auto row = [&](const std::string& label, const std::string& value) {
+    y = sheet.tableRow(x, y, label, {value}, {width});
+  };
+  const std::string of = d.kind == Unlike::Intensity ? ", intensity" : ", CIEDE2000";
+  row("samples that show a face", grouped(d.errors.count) + " of " + sizeText(d.width, height));
+  row("mean difference" + of, fixed(d.errors.mean, decimals));
+  row("largest difference", fixed(d.errors.largest, decimals));
+  row("above " + std::string{measure.unitInWords}, share(d));
+  row("wrong face", grouped(d.wrongFaces));
+  y = drawScale(sheet, measure, x, y + 6);
+  const Finding finding = findingOf(d);
+  sheet.finding(x, y + 6, width, finding.bold, finding.why);
+}
+
+}  // namespace
+
+IndexImage stepsImage(const ErrorMap& errors, const CellPlan& plan) {
+  IndexImage image{errors.width, static_cast<int>(errors.at.size()) / errors.width, plan[Cell::Well]};
+  for (std::size_t k = 0; k < errors.at.size(); ++k)
+    if (const double error = errors.at[k]; !std::isnan(error))
+      image.pixels[k] = plan[doublingStep(error, errors.unit).cell];
+  return image;
+}
+
+Finding findingOf(const Difference& d) {
+  const UnlikeRow& measure = rowOf(d.kind);
+  const int decimals = measure.decimals;
+  const std::string unit{measure.unitInWords};
+  if (d.errors.count == 0) return {"Nothing shows.", ""};
+  Finding finding{
+      d.above == 0 ? "The picture is nowhere more than " + unit + " off, " + std::string{measure.means} + "."
+                   : "The picture is more than " + unit + " off at " + share(d) + " of the samples.",
+      "The mean error is " + fixed(d.errors.mean, decimals) + ", the largest " +
+          fixed(d.errors.largest, decimals) + (d.above == 0 ? "." : " (in the ring).")};
+  if (d.wrongFaces > 0) finding.why += " A wrong face shows at " + counted(d.wrongFaces, "sample") + ".";
+  return finding;
+}
+
+PictureSettings pictureForDifference(const ViewSettings& settings) {
+  const DifferencePlaces at{settings.picture.width, settings.picture.height};
+  PictureSettings shown = settings.picture;
+  shown.width = at.picture.width, shown.height = at.picture.height;
+  return shown;
+}
+
+ColoredImage drawDifference(const Picture& picture, const ViewSettings& settings) {
+  const DifferencePlaces at{settings.picture.width, settings.picture.height};
+  const PictureSettings& shown = picture.settings();
+  const Compared compared = comparedWithReference(picture, Truth{picture});
+
+  Sheet sheet{settings.picture.width, settings.picture.height, settings.cells};
+  const Rect whole{0, 0, shown.width, shown.height};
+  caption(sheet, at.picture, at.captions,
+          std::string{rowOf(shown.shading).label} + ", " + std::string{rowOf(shown.order).label},
+          "as it is painted");
+  caption(sheet, at.reference, at.captions, "the reference",
+          compared.difference.kind == Unlike::Color ? "without short cuts, in the picture's cells"
+                                                    : "true normals, L and V at every pixel");
+  sheet.painter().place(picture.image(), whole, at.picture.x, at.picture.y);
+  sheet.painter().place(compared.reference, whole, at.reference.x, at.reference.y);
+  sheet.section(at.difference.x, at.sections, at.difference.width, "difference");
+  drawSteps(sheet, compared.difference, at.difference, settings.cells);
+  const int y = sheet.section(at.numbers, at.sections, at.reference.width, "numbers");
+  drawNumbers(sheet, compared.difference, at.numbers, y, at.reference.width);
+  return {sheet.image(), picture.palette(settings.cells, settings.unneeded)};
 }
 
 }  // namespace xnewell

@@ -7,7 +7,7 @@
 #include "shading/laboratory/exactness.h"
 #include "x11/drawing/rect.h"
 #include "x11/drawing/sheet.h"
-#include "x11/views/step_legend.h"
+#include "x11/views/picture_sheet.h"
 #include "x11/views/views.h"
 
 namespace xnewell {

@@ -9,7 +9,7 @@
 #include "x11/views/exactness_view.h"
 #include "x11/views/normals_view.h"
 #include "x11/views/overdraw.h"
-#include "x11/views/step_legend.h"
+#include "x11/views/picture_sheet.h"
 #include "x11/views/terms_view.h"
 #include "x11/views/wireframe.h"
 

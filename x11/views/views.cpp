@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "x11/views/colors_view.h"
+#include "x11/views/colors_page.h"
 #include "x11/views/difference.h"
 #include "x11/views/exactness_view.h"
 #include "x11/views/mach_bands.h"

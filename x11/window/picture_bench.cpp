@@ -1,10 +1,15 @@
 #include "x11/window/picture_bench.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/exact/scale.h"
+#include "geometry/exact/unit.h"
 #include "geometry/view/view.h"
+#include "shading/color/quantize.h"
 #include "shading/laboratory/exactness.h"
+#include "shading/light/mistake.h"
+#include "x11/drawing/painter.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
@@ -320,6 +325,302 @@ void PictureBench::drawCaption(Painter paint, const Desk& desk) {
     if (cap + 20 + textWidth(way.does) > x + at_.picture.width) break;
     cap = pen.soft(cap + pen.key(cap, y - 11, way.keys.front()) + 5, y, way.does) + 12;
   }
+}
+
+namespace {
+
+using Kind = Control::Kind;
+
+constexpr int kName = 24;  // units from the left edge of a row to the name
+constexpr int kButton = 20;
+
+Section sectionOf(char key) {
+  if (const Setting* const setting = settingOf(key)) return setting->section;
+  return key == 'W' || key == 'P' ? Section::Method : Section::Hidden;
+}
+
+int onBar(const Rect& bar, double value) {
+  return bar.x + static_cast<int>(std::lround(value * (bar.width - 1)));
+}
+
+/// Places the controls, from the top of the column to the bottom.
+class Walk {
+ public:
+  Walk(const Layout& at, const Controls& controls, const Setup& setup, int pitch)
+      : controls_{controls}, setup_{setup}, low_{at.low}, x_{at.controls.x}, y_{at.controls.y + 11} {
+    column_.compact = at.compact;
+    column_.area = at.controls;
+    row_.pitch = pitch;
+    row_.boxAfterKey = true;
+  }
+
+  ControlColumn column() && {
+    light();
+    section(Section::Surface, "SURFACE", 20);
+    section(Section::Method, "METHOD", 22);
+    section(Section::ColourTable, "COLOUR TABLE", 22);
+    buttons();
+    return std::move(column_);
+  }
+
+ private:
+  void add(const Control& control, ControlPlace place) {
+    column_.places.emplace_back(control.id(), std::move(place));
+  }
+
+  void light() {
+    const bool compact = column_.compact;
+    const int size = compact ? 112 : 152;
+    column_.ball = {x_ + kControls - size, column_.area.y, size, compact ? 78 : 128};
+    column_.radius = column_.ball.height * 54 / 128;
+    column_.headings.push_back({y_, "LIGHT"});
+    y_ += compact ? 19 : 24;
+    RowStyle narrow = row_;
+    narrow.width = column_.ball.x - kMargin - x_;
+    for (const Control& control : controls_)
+      if (control.key == 'l')
+        add(control, {.x = x_,
+                      .y = y_,
+                      .area = {x_, y_ - 14, narrow.width, compact ? 18 : 58},
+                      .grip = column_.ball,
+                      .bare = true});
+    y_ += compact ? 19 : 61;
+    for (const Control& control : controls_)
+      if (control.kind == Kind::Toggle) {
+        add(control, placeInRow(control, x_, y_, narrow));
+        y_ += compact ? 20 : 22;
+      }
+    y_ += compact ? 7 : 11;
+    intensities();
+    y_ += compact ? 35 : 44;
+  }
+
+  /// The part of the bar that is nearer to a thumb drags this thumb. If both are at one place, the left side
+  /// belongs to Ia and the right side to Ip.
+  void intensities() {
+    const Rect bar = column_.bar = {x_, y_ + 9, kControls, 10};
+    const Illumination& light = setup_.picture.light;
+    const int ia = onBar(bar, light.Ia), sum = onBar(bar, light.Ia + light.Ip);
+    const bool atEnd = ia == bar.x + bar.width - 1;
+    const int border = atEnd ? bar.x + bar.width : (ia + sum + 1) / 2;
+    const Rect reach{bar.x, bar.y - 4, bar.width, bar.height + 8};
+    for (const Control& control : controls_) {
+      const bool first = control.key == 'i';
+      if (!first && control.key != 'p') continue;
+      const int left = first ? bar.x : border, right = first ? border : bar.x + bar.width;
+      const int name = first ? x_ : x_ + kControls / 2;
+      add(control, {.x = x_,
+                    .y = y_,
+                    .area = {name, y_ - 14, kControls / 2, 15},
+                    .track = bar,
+                    .grip = {left, reach.y, right - left, reach.height},
+                    .bare = true});
+    }
+  }
+
+  void section(Section section, std::string_view name, int advance) {
+    y_ += low_ ? 4 : column_.compact ? 5 : 8;
+    column_.headings.push_back({y_, name});
+    y_ += low_ ? 17 : column_.compact ? 18 : advance;
+    const auto addAll = [&](Kind kind) {
+      for (const Control& control : controls_) {
+        if (control.kind != kind || sectionOf(control.key) != section) continue;
+        ControlPlace place = placeInRow(control, x_, y_, row_);
+        y_ += place.area.height;
+        add(control, std::move(place));
+      }
+    };
+    if (section != Section::ColourTable) addAll(Kind::Slider);
+    addAll(Kind::Choice);
+    if (section == Section::ColourTable) addAll(Kind::Slider);
+  }
+
+  void buttons() {
+    y_ += low_ ? 6 : column_.compact ? 3 : 4;
+    const int inRow = column_.compact ? 5 : 4, width = column_.compact ? 58 : 68;
+    const int pitch = (kControls - width) / (inRow - 1);
+    int placed = 0;
+    for (const Control& control : controls_) {
+      const auto* const row = std::ranges::find(kButtons, control.key, &ButtonRow::key);
+      if (control.kind != Kind::Button || (column_.compact && !row->always)) continue;
+      const int x = x_ + pitch * (placed % inRow);
+      const Rect box{x, y_ - 14, width, column_.compact ? kButton - 2 : kButton};
+      add(control, {.x = x, .y = y_, .area = box, .box = box});
+      if (++placed % inRow == 0) y_ += kButton + 4;
+    }
+  }
+
+  const Controls& controls_;
+  const Setup& setup_;
+  ControlColumn column_;
+  RowStyle row_;
+  bool low_;
+  int x_, y_;
+};
+
+/// Draws the ball of the light and the bar of the intensities.
+struct LightPen : Pen {
+  const ControlColumn& at;
+  const LightShown& shown;
+
+  [[nodiscard]] const ControlPlace& place(char key) const {
+    const auto found =
+        std::ranges::find(at.places, ControlId{key}, &std::pair<ControlId, ControlPlace>::first);
+    return found->second;
+  }
+  void light();
+  void ball();
+  void intensities();
+  void thumb(int x, const Rect& bar, const Look& look);
+};
+
+std::string withDegree(double degrees) { return fixed(degrees, 0) + "\u00B0"; }
+
+void LightPen::light() {
+  const ControlPlace& place = this->place('l');
+  const Rect& row = place.area;
+  if (shown.light.focused) drawFocus(*this, {row.x, row.y, row.width, at.compact ? 18 : 40}, 2);
+  const int x = place.x, y = place.y, end = row.x + row.width;
+  key(x, y - 11, "l");
+  if (!shown.ownLights.empty()) {
+    paint.text(x + kName, y, "the scene's own", (*this)(Cell::Faint));
+    return;
+  }
+  if (at.compact) {
+    ink(x + kName, y,
+        "azimuth " + withDegree(shown.angles.azimuth) + " elev. " + withDegree(shown.angles.elevation));
+    return;
+  }
+  ink(x + kName, y, "azimuth");
+  boldRight(end, y, withDegree(shown.angles.azimuth));
+  ink(x + kName, y + 18, "elevation");
+  boldRight(end, y + 18, withDegree(shown.angles.elevation));
+  ink(x + kName, y + 36, "distance");
+  boldRight(end, y + 36, shown.setup.picture.light.lightPosition ? "near" : "far");
+}
+
+/// Draws a sphere with the current material, form and table. A ring marks the light, so that the user can see
+/// L.
+void LightPen::ball() {
+  paint.fillRect(at.ball, (*this)(Cell::Well));
+  const int radius = at.radius, cx = at.ball.x + at.ball.width / 2, cy = at.ball.y + at.ball.height / 2;
+  if (const auto& own = shown.ownLights; !own.empty()) {
+    constexpr int kPitch = 14;
+    const int room = (at.ball.height - 8) / kPitch, count = static_cast<int>(own.size());
+    const int rows = count > room ? room - 1 : count;
+    for (int k = 0; k < rows; ++k)
+      paint.text(at.ball.x + 8, at.ball.y + kPitch * (k + 1) + 2,
+                 beginningOf(own[static_cast<std::size_t>(k)], at.ball.width - 12), (*this)(Cell::WellText));
+    if (rows < count)
+      paint.text(at.ball.x + 8, at.ball.y + kPitch * (rows + 1) + 2, std::to_string(count - rows) + " more",
+                 (*this)(Cell::WellText));
+    return;
+  }
+  paint.hline(cx - radius - 5, cy, 2 * radius + 11, (*this)(Cell::WellLine));
+  paint.vline(cx, cy - radius - 5, 2 * radius + 11, (*this)(Cell::WellLine));
+  const Illumination& light = shown.setup.picture.light;
+  const glm::dvec3& L = shown.lightInView;
+  const glm::dvec3 V{0, 0, 1};
+  const Reflection surface{light.ka, light.kd, light.ks, light.n};
+  for (int y = -radius; y <= radius; ++y)
+    for (int x = -radius; x <= radius; ++x) {
+      const double rest = static_cast<double>(radius) * radius - x * x - y * y;
+      if (rest < 0) continue;
+      const glm::dvec3 N = glm::dvec3{x, -y, std::sqrt(rest)} / static_cast<double>(radius);
+      const LightTerms terms = lightTerms(light.mistake, 1.0, light.Ip, surface, {N, unit(L), V}, light.form);
+      const double I =
+          std::max(0.0, rowOf(light.mistake).ambient * light.Ia * light.ka + terms.diffuse + terms.specular);
+      const auto k = static_cast<std::size_t>(255.0 * std::min(1.0, I) + 0.5);
+      const bool high = bayerRank(x & 7, y & 7) < shown.ball.share[k];
+      paint.point(cx + x, cy + y, (high ? shown.ball.high : shown.ball.low)[k]);
+    }
+  paint.ring(cx, cy, radius + 1, (*this)(Cell::WellLine));  // dark shades are as dark as the background
+  const int lx = cx + static_cast<int>(std::lround(radius * L.x)),
+            ly = cy - static_cast<int>(std::lround(radius * L.y));
+  const bool behind = L.z < 0;
+  paint.ring(lx, ly, 5, (*this)(behind ? Cell::Faint : Cell::White));
+  if (!behind)
+    paint.disc(lx, ly, 1, (*this)(Cell::White));
+  else
+    paint.text(at.ball.x + 5, at.ball.y + at.ball.height - 6, "behind", (*this)(Cell::Faint));
+}
+
+void LightPen::thumb(int x, const Rect& bar, const Look& look) {
+  const Rect box{std::clamp(x - 4, bar.x, bar.x + bar.width - 9), bar.y - 2, 9, 15};
+  paint.fillRect(box, (*this)(look.dragged ? Cell::Ink : look.hovered ? Cell::White : Cell::Paper));
+  paint.frame(box, (*this)(Cell::Ink));
+  paint.vline(box.x + 4, box.y + 4, 7, (*this)(look.dragged ? Cell::White : Cell::Ink));
+}
+
+/// Draws one bar of length 1: ambient light dark, point light dotted, the rest unused.
+void LightPen::intensities() {
+  const bool own = !shown.ownLights.empty();
+  const int x = place('i').x, y = place('i').y;
+  if (shown.Ia.focused || shown.Ip.focused) drawFocus(*this, {x, y - 14, kControls, at.compact ? 37 : 44}, 6);
+  key(x, y - 11, "i");
+  const auto number = [&](int from, std::string_view name, double value, bool off) {
+    const Cell cell = off ? Cell::Faint : Cell::Ink;
+    paint.text(paint.text(from, y, name, (*this)(cell)), y, fixed(value, 2), (*this)(cell), Voice::Bold);
+  };
+  number(x + 24, "Ia ", shown.ambient, shown.IaIsOwn);
+  key(x + 124, y - 11, "p");
+  number(x + 146, own ? "all Ip " : "Ip ", shown.lights, own);
+  const double unused = std::max(0.0, 1.0 - shown.ambient - shown.lights);
+  if (!own) paint.textRight(x + kControls, y, "unused " + fixed(unused, 2), (*this)(Cell::Soft));
+
+  const Rect& bar = at.bar;
+  const int ia = onBar(bar, shown.ambient), sum = onBar(bar, std::min(1.0, shown.ambient + shown.lights));
+  paint.fillRect(bar, (*this)(Cell::Panel));
+  paint.fillRect({ia, bar.y, sum - ia, bar.height}, (*this)(Cell::Rule));
+  paint.stipple({ia, bar.y, sum - ia, bar.height}, Stipple::Quarter, (*this)(Cell::Soft));
+  paint.fillRect({x, bar.y, ia - x, bar.height}, (*this)(Cell::Soft));
+  paint.frame(bar, (*this)(Cell::Faint));
+  for (int quarter = 0; quarter <= 4; ++quarter)
+    paint.vline(onBar(bar, quarter / 4.0), bar.y + 13, 3, (*this)(Cell::Faint));
+  if (!shown.IaIsOwn) thumb(ia, bar, shown.Ia);
+  if (!own) thumb(sum, bar, shown.Ip);
+}
+
+}  // namespace
+
+Controls buttonControls(const std::function<void(char)>& press) {
+  Controls all;
+  for (const ButtonRow& row : kButtons)
+    all.push_back({.kind = Kind::Button,
+                   .key = row.key,
+                   .label = std::string{row.label},
+                   .set = [press, key = row.key](double) { press(key); }});
+  return all;
+}
+
+ControlColumn layoutOfControls(const Layout& at, const Controls& controls, const Setup& setup) {
+  constexpr int kLeastPitch = 13;  // the height of the text
+  constexpr int kBelow = 4;        // units between the last button and the strip of colours
+  for (int pitch = at.compact ? 17 : 21;; --pitch) {
+    ControlColumn column = Walk{at, controls, setup, pitch}.column();
+    const Rect& last = column.places.back().second.area;
+    const int bottom = at.controls.y + at.controls.height - kBelow;
+    if (pitch == kLeastPitch || last.y + last.height <= bottom) return column;
+  }
+}
+
+void drawLightControls(Pen& pen, const ControlColumn& at, const LightShown& shown) {
+  LightPen light{pen, at, shown};
+  for (const ControlColumn::Heading& heading : at.headings) {
+    if (&heading != &at.headings.front()) pen.rule(at.area.x, heading.y - 16, kControls);
+    pen.caps(at.area.x, heading.y, heading.name);
+  }
+  light.ball();
+  light.light();
+  light.intensities();
+}
+
+glm::dvec3 directionOnBall(const ControlColumn& at, int x, int y) {
+  const double dx = x - (at.ball.x + at.ball.width / 2), dy = at.ball.y + at.ball.height / 2 - y;
+  const double length = std::hypot(dx, dy), far = length / at.radius;
+  if (length == 0) return {0, 0, 1};
+  const double across = far <= 1 ? far : std::max(0.0, 2 - far), z = std::sqrt(1 - across * across);
+  return {across * dx / length, across * dy / length, far <= 1 ? z : -z};
 }
 
 }  // namespace xnewell

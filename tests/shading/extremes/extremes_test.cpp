@@ -9,7 +9,6 @@
 #include "geometry/exact/box.h"
 #include "geometry/model/bezier.h"
 #include "shading/extremes/extreme_ways.h"
-#include "shading/extremes/finding.h"
 #include "shading/picture/picture_cache.h"
 
 namespace xnewell::THIS_FILE {

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "shading/extremes/extremes.h"
-#include "shading/extremes/finding.h"
 #include "shading/scene/scene.h"
 
 namespace xnewell::THIS_FILE {

@@ -77,7 +77,8 @@ TEST(Trade, AxesAreTheShortCutsWithAnEffect) {
 // Some have an effect only beside others. The program may choose all of them but the plan of the colours.
 TEST(Trade, AxesInReachHaveAnEffectBesideOthers) {
   const Picture flat = makePicture(readScene("teapot"), small());
-  const std::vector<std::string> near = namesOf(axesOf(flat)), reach = namesOf(axesInReach(flat)),
+  const std::vector<std::string> near = namesOf(axesOf(flat)),
+                                 reach = namesOf(axesOf(flat, Reach::BesideOthers)),
                                  choosable = choosableAxes(flat);
   std::vector<std::string> more;
   for (const std::string& name : reach)
@@ -87,7 +88,7 @@ TEST(Trade, AxesInReachHaveAnEffectBesideOthers) {
     EXPECT_NE(std::ranges::find(more, name), more.end()) << name;
   EXPECT_EQ(choosable.size() + 1, reach.size());
   EXPECT_EQ(std::ranges::find(choosable, "colors"), choosable.end());
-  const std::vector<Axis> axes = axesInReach(flat);
+  const std::vector<Axis> axes = axesOf(flat, Reach::BesideOthers);
   EXPECT_EQ(std::ranges::find(axes, "divisions", &Axis::name)->others.back(), 64);
 }
 

@@ -284,22 +284,4 @@ TEST_F(CommandTest, ErrorsAreInTheStatistics) {
       draw("hues", {"--errors", "--dither", "--colors", "cube"}).stats["errors"]["blocks_8x8"].is_null());
 }
 
-// --costs adds what each required item costs, and says nothing of the others. The highlights of a large Phong
-// picture cost more than nothing and less than all light.
-TEST_F(CommandTest, CostsAreInTheStatistics) {
-  const std::vector<std::string> heavy{"--shade", "phong", "--size", "800x600", "--n", "511"};
-  EXPECT_FALSE(draw("highlight", heavy).stats.contains("required_cost_ms"));
-  std::vector<std::string> asked = heavy;
-  asked.emplace_back("--costs");
-  const Json stats = draw("highlight", asked).stats;
-  const Json &costs = stats.at("required_cost_ms"), &required = stats.at("required");
-  for (const auto& [name, what] : required.items()) {
-    const int least = name == "channels" || name == "ramps" ? 1 : 0;
-    EXPECT_EQ(costs.contains(name), what.is_boolean() ? what.get<bool>() : what.get<int>() > least) << name;
-  }
-  EXPECT_EQ(costs.contains("attenuation"), false);
-  // A step that is done alone takes some time. What is a difference of times may be lost in chance.
-  EXPECT_GT(costs.at("vertex_normals").get<double>(), 0.0);
-}
-
 }  // namespace xnewell::THIS_FILE

@@ -97,7 +97,7 @@ TEST(Options, RefuseWhatAViewCannotHeed) {
     EXPECT_EQ(complaintAll({"trace", "teapot", "--view", name}),
               "--view works only with view, draw and snapshot");
     const std::string more =
-        view + " is not just the picture: --stats, --errors, --costs and --ids work only with --view picture";
+        view + " is not just the picture: --stats, --errors and --ids work only with --view picture";
     EXPECT_EQ(complaint({"--view", name, "--ids", "i.png"}), more);
     EXPECT_EQ(complaint({"--view", name, "--stats"}), more);
     EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}), "");

@@ -175,8 +175,6 @@ TEST(Options, SetWhatIsNotInThePicture) {
   EXPECT_EQ(drawn({"--size", "8192x1"}).size, (glm::ivec2{8192, 1}));
   EXPECT_EQ(drawn({"--divisions", "256"}).divisions, 256);
   EXPECT_TRUE(drawn({"--stats"}).stats);
-  EXPECT_FALSE(drawn({"--stats"}).costs);
-  EXPECT_TRUE(drawn({"--costs"}).stats && drawn({"--costs"}).costs);
   EXPECT_EQ(drawn({"--ids", "i.png"}).ids, "i.png");
   EXPECT_EQ(parsed({"draw", "--output=-x.png", "--", "-s.obj"}).output, "-x.png");
   EXPECT_EQ(parsed({"draw", "--output=-x.png", "--", "-s.obj"}).scene, "-s.obj");

@@ -128,7 +128,6 @@ class Maker {
     const int told = below(8, rng_);
     if (told < 3) add({"--stats"});
     if (told >= 3 && told < 7) add({"--errors"});
-    if (told == 6) add({"--costs"});
     made_.printsJson = told < 7;
     if (command == "draw" && oneIn(10))
       add({"--accuracy", oneIn(2) ? "0.05" : number(0, 1), "--budget", "1"});

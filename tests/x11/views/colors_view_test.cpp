@@ -1,4 +1,4 @@
-#include "x11/views/colors_view.h"
+#include "x11/views/colors_page.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,6 @@
 #include "shading/picture/picture_cache.h"
 #include "tests/support/seeds.h"
 #include "x11/views/color_strip.h"
-#include "x11/views/colors_page.h"
 
 namespace xnewell::THIS_FILE {
 

@@ -1,16 +1,18 @@
 #pragma once
 
-#include <iosfwd>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "shading/diagnose/diagnose.h"
+#include "shading/diagnose/judge_order.h"
 #include "shading/diagnose/scene_for.h"
+#include "x11/kit/page.h"
 
 namespace xnewell {
 
-/// A diagnosis in words and as JSON.
+/// What is said of a picture and of a painting order that were handed in.
 
 /// One word: right, allowed, mistake, one-of, numbers, unknown, other-scene.
 [[nodiscard]] std::string_view nameOf(Marking verdict);
@@ -26,12 +28,21 @@ struct PartedBy {
   std::vector<std::string_view> hidden;  ///< of a right picture: the keys that would not change it
   std::string shownBy;                   ///< which scene shows these
 };
-void printDiagnosis(const Diagnosis& d, const PartedBy& parted, std::ostream& out);
-void printDiagnosisAsJson(const Diagnosis& d, const PartedBy& parted, std::ostream& out);
+[[nodiscard]] page::Page pageOf(const Diagnosis& d, const PartedBy& parted);
+/// The bytes of a PNG: the picture, the right one, and the one with the mistake, side by side. A frame is
+/// around the face where the mistake shows most.
+[[nodiscard]] std::string diagnosisSheet(Diagnoser& diagnoser, const HandedIn& handed, const Diagnosis& d);
 
 /// The picture that tells the mistakes a and b apart, in one sentence without a full stop.
 [[nodiscard]] std::string partingSentence(std::string_view a, std::string_view b, const SceneFor& found);
-void printSceneFor(std::string_view a, std::string_view b, const SceneFor& found, std::ostream& out);
-void printSceneForAsJson(std::string_view a, std::string_view b, const SceneFor& found, std::ostream& out);
+[[nodiscard]] page::Page pageOf(std::string_view a, std::string_view b, const SceneFor& found);
+
+/// One line, without a line break.
+[[nodiscard]] std::string verdictOf(const OrderReport& report, std::span<const PaintStep> steps);
+/// What would have told which of a wrong pair comes first; no full stop.
+[[nodiscard]] std::string lessonOf(const WrongPair& pair, std::span<const PaintStep> steps);
+/// The kinds of fault in it: missing, repeated, covers, outside, order, needs-cut; with blanks between them.
+[[nodiscard]] std::string kindOf(const OrderReport& report);
+[[nodiscard]] page::Page pageOf(const OrderReport& report, std::span<const PaintStep> steps);
 
 }  // namespace xnewell

@@ -1,16 +1,79 @@
-#include "x11/command/extremes_chart.h"
-
 #include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "shading/extremes/finding.h"
+#include "geometry/files/output_file.h"
+#include "shading/color/png.h"
+#include "shading/extremes/extremes.h"
+#include "x11/command/commands.h"
+#include "x11/command/report.h"
 #include "x11/drawing/sheet.h"
+#include "x11/drawing/wording.h"
+#include "x11/options/exit_status.h"
+#include "x11/terminal/doing.h"
+#include "x11/terminal/interrupt.h"
 
 namespace xnewell {
 
 namespace {
+
+/// ---- The report: the ways, how far each one went, what was found, and what explains it
+
+page::Object dataOf(const ExtremeStep& step) {
+  return {{"refused", step.refused},
+          {"samples", step.seen.samples},
+          {"wrong_face", step.seen.wrong},
+          {"missing_face", step.seen.missing},
+          {"doubtful_face", step.seen.doubtful},
+          {"behind", step.seen.behind},
+          {"shades_off", step.shadesOff},
+          {"changed", step.changed},
+          {"merged_shades", step.merged},
+          {"wrong", step.isWrong()},
+          {"doubtful", step.isDoubtful()}};
+}
+
+page::Page pageOf(const std::string& scene, const Extremes& extremes) {
+  constexpr int kFinding = 66;
+  page::Page page{.sections = {{}}, .indent = 2};
+  page::Section& s = page.sections.front();
+  page::List ways;
+  page::Table table{.columns = {{.head = "way"}, {.head = "tried"}, {.head = "what was found"}}};
+  for (const Extreme& way : extremes.ways) {
+    const std::string finding = findingOf(way, extremes.setUp);
+    std::vector<std::string> lines = broken(finding, kFinding);
+    if (const ExtremeStep* const explained = firstToExplain(way, extremes.setUp))
+      for (const std::string& line : broken(explained->why, kFinding)) lines.push_back("  " + line);
+    const bool ofPowers = way.unit.starts_with('(');
+    for (const std::string& line : lines) table.rows.push_back({{}, {}, {.words = line}});
+    auto& first = table.rows[table.rows.size() - lines.size()];
+    first[0].words = std::string{way.name} + (ofPowers ? " " + std::string{way.unit} : "");
+    first[1].words = shortly(way.steps.front().value) + " to " + shortly(way.steps.back().value);
+    page::List steps;
+    for (const ExtremeStep& step : way.steps) {
+      page::Object one = dataOf(step);
+      one.insert(one.begin(), {"value", step.value});
+      one.emplace_back("why", step.why);
+      steps.emplace_back(std::move(one));
+    }
+    ways.emplace_back(page::Object{{"way", way.name},
+                                   {"unit", way.unit},
+                                   {"drives", way.drives},
+                                   {"finding", finding},
+                                   {"steps", std::move(steps)}});
+  }
+  s.fact("scene", scene);
+  s.fact("stopped", extremes.isStopped(), stoppedText(extremes));
+  s.fact("set_up", dataOf(extremes.setUp), findingOf(extremes.setUp));
+  s.add(std::move(table));
+  s.fact("extremes", std::move(ways));
+  return page;
+}
+
+/// ---- The chart
 
 constexpr int kChartWidth = 960, kChartNames = 190, kChartBars = 336, kBarHeight = 36, kChartWords = 380;
 constexpr int kWayGap = 14;  // between two ways
@@ -73,8 +136,9 @@ void drawBars(Sheet& sheet, int y, const Extreme& way) {
   }
 }
 
-}  // namespace
-
+/// What becomes wrong first, as a chart: a line for each way to an extreme, with a bar for each picture on
+/// it. A bar is as high as the share of samples that are wrong, on a logarithmic scale. It is amber where
+/// samples are only doubtful, and grey where no face shows.
 ColoredImage drawExtremes(const Extremes& extremes, const std::string& title) {
   const int width = kChartWidth - 2 * Sheet::kMargin;
   std::vector<std::pair<std::string, Cell>> above{
@@ -104,6 +168,25 @@ ColoredImage drawExtremes(const Extremes& extremes, const std::string& title) {
     y += std::max(kBarHeight + 20, words[k].height());
   }
   return {sheet.image(), makePalette(plan, ColorTable{{}})};
+}
+
+}  // namespace
+
+int tellExtremes(const Options& options, const Scene& scene) {
+  awaitInterrupt();
+  std::optional<Doing> driving;
+  const Extremes extremes =
+      extremesOf(scene, settingsOf(options, kExtremesSize), [&](const std::string& doing) {
+        driving.emplace("trying: " + doing);
+        return !wasInterrupted();
+      });
+  driving.reset();
+  print(options, pageOf(options.scene, extremes));
+  if (!options.output.empty()) {
+    const ColoredImage chart = drawExtremes(extremes, "Extremes of " + titleOf(scene));
+    writeFile(options.output, encodePng(chart.image, chart.palette));
+  }
+  return extremes.isStopped() ? kInterrupted : kDone;
 }
 
 }  // namespace xnewell

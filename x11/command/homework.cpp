@@ -1,5 +1,3 @@
-#include "x11/command/tell_homework.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -15,12 +13,12 @@
 #include "shading/diagnose/pair_scene.h"
 #include "shading/diagnose/scene_for.h"
 #include "shading/picture/picture_cache.h"
+#include "x11/command/commands.h"
+#include "x11/command/report.h"
 #include "x11/homework/class_marks.h"
-#include "x11/homework/diagnosis_report.h"
-#include "x11/homework/diagnosis_sheet.h"
 #include "x11/homework/judge_run.h"
-#include "x11/homework/judgement_report.h"
 #include "x11/homework/questions.h"
+#include "x11/homework/reports.h"
 #include "x11/lessons/lesson.h"
 #include "x11/options/exit_status.h"
 #include "x11/terminal/doing.h"
@@ -30,20 +28,13 @@ namespace xnewell {
 
 namespace {
 
-PictureSettings sized(const Options& options, glm::ivec2 usual) {
-  PictureSettings settings = options.picture;
-  const glm::ivec2 size = options.size.value_or(usual);
-  settings.width = size.x, settings.height = size.y;
-  return settings;
-}
-
 /// The picture that a file with this size, if it says one, is about.
 Picture pictureFor(const Options& options, Scene scene, const std::string& file,
                    std::optional<glm::ivec2> size) {
   if (size && options.size && *size != *options.size)
     throw UsageError{file + " is for a picture of " + sizeText(size->x, size->y) + ", and --size says " +
                      sizeText(options.size->x, options.size->y) + ": leave --size out"};
-  PictureSettings settings = sized(options, size.value_or(kPictureSize));
+  PictureSettings settings = settingsOf(options, size.value_or(kPictureSize));
   settings.order = Order::Unsorted, settings.adapt = 0;
   return makePicture(std::move(scene), settings).withPlanes();
 }
@@ -121,7 +112,7 @@ std::optional<int> rightAnswerOf(const std::string& name, int step) {
 
 int tellDiagnosis(const Options& options, Scene scene) {
   const HandedIn handed = readHandedIn(options.handedIn);
-  const PictureSettings settings = sized(options, {handed.picture.width, handed.picture.height});
+  const PictureSettings settings = settingsOf(options, {handed.picture.width, handed.picture.height});
   refuseWhatIsNotDiagnosed(scene, settings);
   std::optional<Doing> comparing{"comparing"};
   Diagnoser diagnoser{std::move(scene), settings};
@@ -129,8 +120,7 @@ int tellDiagnosis(const Options& options, Scene scene) {
   PartedBy parted = partedBy(d, settings);
   if (d.verdict == Marking::Right || d.verdict == Marking::Allowed) addHidden(parted, diagnoser, settings);
   comparing.reset();
-  (options.json ? printDiagnosisAsJson : printDiagnosis)(d, parted, std::cout);
-  std::cout.flush();
+  print(options, pageOf(d, parted));
   if (!options.output.empty()) writeFile(options.output, diagnosisSheet(diagnoser, handed, d));
   return d.verdict == Marking::Right || d.verdict == Marking::Allowed ? kDone : kOutside;
 }
@@ -140,7 +130,6 @@ int tellSceneFor(const Options& options) {
   std::optional<Doing> trying{"drawing the benches"};
   SceneFor found = sceneFor(a, b, benchPictures());
   if (!found.picture || found.byCells) {
-    trying.reset();  // each message replaces the one before
     trying.emplace("drawing other scenes");
     const int tried = found.tried;
     const SceneFor other = sceneFor(a, b, otherPictures());
@@ -149,7 +138,7 @@ int tellSceneFor(const Options& options) {
     found.parting.shades = std::max(found.parting.shades, other.parting.shades);
   }
   trying.reset();
-  (options.json ? printSceneForAsJson : printSceneFor)(a, b, found, std::cout);
+  print(options, pageOf(a, b, found));
   return found.picture ? kDone : kOutside;
 }
 
@@ -159,8 +148,7 @@ int tellJudgement(const Options& options, Scene scene) {
   const Picture picture = pictureFor(options, std::move(scene), options.handedIn, size);
   const OrderReport report = judgeOrder(picture, steps);
   judging.reset();
-  (options.json ? printJudgementAsJson : printJudgement)(report, steps, std::cout);
-  std::cout.flush();
+  print(options, pageOf(report, steps));
   if (!options.output.empty() && report.first)
     writeFile(options.output, pairAsScene(picture, *report.first, steps));
   return report.isRight() ? kDone : kOutside;
@@ -171,7 +159,7 @@ int tellRun(const Options& options, Scene scene) {
   std::optional<Doing> judging{"judging"};
   const RunReport report = judgeRun(pictureFor(options, std::move(scene), options.run, run.size()), run);
   judging.reset();
-  std::cout << (options.json ? page::asJson : page::asText)(pageOf(report));
+  print(options, pageOf(report));
   return report.wrong.empty() ? kDone : kOutside;
 }
 
@@ -185,12 +173,11 @@ int gradeFolder(const Options& options, Scene scene) {
   checkOutputs(outputsOf(options));
   awaitInterrupt();
   const std::string title = "Marks: " + titleOf(scene);
-  PictureSettings settings = sized(options, kPictureSize);
+  PictureSettings settings = settingsOf(options);
   Marker marker{std::move(scene), settings, options.size, !options.page.empty(), rightAnswerOf};
   std::vector<MarkedFile> rows;
   std::optional<Doing> marking;
   for (const std::string& name : names) {
-    marking.reset();  // each message replaces the one before
     marking.emplace("marking file " + std::to_string(rows.size() + 1) + " of " +
                     std::to_string(names.size()));
     rows.push_back(marker.mark(options.handedIn, name));
@@ -208,7 +195,7 @@ int gradeFolder(const Options& options, Scene scene) {
 
 int tellQuestions(const Options& options, const Scene& scene) {
   std::optional<Doing> making{"making questions"};
-  const QuestionScene about{scene, sized(options, kPictureSize)};
+  const QuestionScene about{scene, settingsOf(options)};
   const std::vector<ExamQuestion> questions =
       makeQuestions(about, options.questions, static_cast<unsigned>(options.seed));
   making.reset();
