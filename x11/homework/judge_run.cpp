@@ -8,14 +8,14 @@
 #include <unordered_map>
 #include <utility>
 
+#include "depthsort/fragment_spans.h"
 #include "depthsort/oracle.h"
 #include "depthsort/pair_tests.h"
-#include "depthsort/pieces.h"
 #include "depthsort/samples.h"
 #include "geometry/view/touch.h"
 #include "shading/diagnose/judge_order.h"
+#include "shading/laboratory/exactness.h"
 #include "x11/drawing/wording.h"
-#include "x11/homework/hidden_samples.h"
 
 namespace xnewell {
 
@@ -36,24 +36,6 @@ struct Truth {
   Place at = {};   ///< of tests of planes: the corner
 };
 
-struct Polygon {
-  enum class State { Waiting, Painted, Split };
-  std::string name;
-  int face;                     ///< number in the scene
-  std::vector<int> parts = {};  ///< ids of fragments; several for a concave face
-  State state = State::Waiting;
-  int line = 0;  ///< that painted or split it
-  std::optional<std::array<double, 5>> shade = {};
-};
-
-struct Fragmented {
-  int face;
-  int piece = -1;
-  Region region;
-  Extents extents;
-  int polygon = -1;
-};
-
 /// What was found, before it is put into words.
 struct Found {
   Falsehood kind;
@@ -66,6 +48,8 @@ struct Found {
   int samples = 0, i = 0, j = 0;
   int fragmentP = -1, fragmentQ = -1;
   std::vector<int> round = {};  ///< polygons of a loop
+  std::vector<int> right = {};  ///< polygons that would have been right
+  std::vector<std::vector<glm::dvec2>> told = {};
   std::string more = {};
 };
 
@@ -92,25 +76,34 @@ class RunJudge {
         width_{picture.settings().width},
         height_{picture.settings().height},
         regions_{scene_},
-        tests_{scene_, {.width = width_, .height = height_, .textbook = true}},
+        run_{picture, scene_, false},
         visible_{visibleFaces(scene_, width_, height_)},
         shown_(visible_.size()),
-        nearest_(visible_.size(), kNothing) {
-    for (int f = 0; f < static_cast<int>(scene_.faces.size()); ++f) {
-      const SnappedFace& face = scene_.faces[f];
-      facesOf_[face.number].push_back(f);
-      Fragmented& whole = fragments_.emplace_back(f, -1, Region{},
-                                                  extentsOf(scene_, face, tests_.vertexDepthsAreExact(face)));
-      regions_.outline(face, whole.region);
-    }
-  }
+        nearest_(visible_.size(), kNothing) {}
 
   void step(const RunStep& s) {
     ++report_.steps;
     line_ = s.line;
-    if (!s.kind && !s.marks) return;
-    const int P = polygon(s.P), Q = s.Q.id < 0 ? -1 : polygon(s.Q);
-    if (s.marks) return;
+    const NamedRun::Step now = run_.step(s, [&](const NamedRun::Step& at) { check(s, at.P, at.Q); });
+    if (s.kind == Event::Kind::Split) checkPieces(s, now);
+  }
+
+  RunReport report() {
+    for (const auto& [pair, seen] : early_) {
+      Found early = seen;
+      early.P = pair.first, early.Q = pair.second, early.line = run_[pair.first].line;
+      found_.push_back(std::move(early));
+    }
+    findLost();
+    std::ranges::stable_sort(found_, {}, [](const Found& f) { return std::pair{f.line == 0, f.line}; });
+    Explainer explainer{picture_.scene().mesh, scene_, run_.record.sorted(), true};
+    explainer.call(Called::PAndQ);
+    chooseIndependent(explainer);
+    return std::move(report_);
+  }
+
+ private:
+  void check(const RunStep& s, int P, int Q) {
     switch (*s.kind) {
       case Event::Kind::Take:
         return take(P);
@@ -121,7 +114,7 @@ class RunJudge {
       case Event::Kind::Paint:
         return paint(P, s.cell);
       case Event::Kind::Split:
-        return split(P, Q, s);
+        return split(P, Q);
       case Event::Kind::Void:
         return goOn();
       case Event::Kind::Cycle:
@@ -131,57 +124,12 @@ class RunJudge {
     }
   }
 
-  RunReport report() {
-    for (const auto& [pair, seen] : early_) {
-      Found early = seen;
-      early.P = pair.first, early.Q = pair.second, early.line = polygons_[pair.first].line;
-      found_.push_back(std::move(early));
-    }
-    findLost();
-    std::ranges::stable_sort(found_, {}, [](const Found& f) { return std::pair{f.line == 0, f.line}; });
-    const Explainer explainer{picture_.scene().mesh, scene_, sorted_, true};
-    chooseIndependent(explainer);
-    return std::move(report_);
-  }
-
- private:
-  // Polygons.
-
-  [[nodiscard]] int polygon(const RunPolygon& named) {
-    auto& known = named.name.empty() ? byNumber_ : byPlace_;
-    if (const auto at = known.find(named.id); at != known.end()) return at->second;
-    const auto& mesh = picture_.scene().mesh;
-    if (named.name.empty() ? named.id >= mesh.faceCount() : named.id >= std::ssize(scene_.faces))
-      throw std::runtime_error{"no polygon " + std::to_string(named.id) + ": the faces are 0 to " +
-                               std::to_string(mesh.faceCount() - 1) + ", and no split made it"};
-    const int id = static_cast<int>(named.id);
-    const int number = named.name.empty() ? id : scene_.faces[id].number;
-    Polygon made{named.name.empty() ? "face " + std::to_string(id) : named.name, number};
-    if (!named.name.empty())
-      made.parts = {id};
-    else if (const auto parts = facesOf_.find(id); parts != facesOf_.end())
-      made.parts = parts->second;
-    return known[named.id] = add(std::move(made));
-  }
-  int add(Polygon polygon) {
-    for (const int part : polygon.parts) fragments_[part].polygon = static_cast<int>(polygons_.size());
-    polygons_.push_back(std::move(polygon));
-    return static_cast<int>(polygons_.size()) - 1;
-  }
-  [[nodiscard]] const SnappedFace& face(int fragment) const {
-    return scene_.faces[fragments_[fragment].face];
-  }
-  [[nodiscard]] Shape shape(int id) const {
-    const Fragmented& f = fragments_[id];
-    return {face(id), f.face, f.extents.box, isPiece(id) ? &f.region : nullptr};
-  }
-  [[nodiscard]] bool isPiece(int id) const { return fragments_[id].piece >= 0; }
-  [[nodiscard]] Fragment fragment(int id) const { return {fragments_[id].face, fragments_[id].piece}; }
-
+  [[nodiscard]] const RunRecord::Part& part(int id) const { return run_.record[id]; }
+  [[nodiscard]] const SnappedFace& face(int id) const { return run_.record.face(id); }
   template <class Use>
   void forEachPair(int P, int Q, const Use& use) const {
-    for (const int p : polygons_[P].parts)
-      for (const int q : polygons_[Q].parts) use(p, q);
+    for (const int p : run_[P].parts)
+      for (const int q : run_[Q].parts) use(p, q);
   }
 
   // The tests.
@@ -190,9 +138,9 @@ class RunJudge {
   [[nodiscard]] Truth apart(int P, int Q, int ScreenBox::*low, int ScreenBox::*high) const {
     const auto reach = [&](int polygon) {
       std::pair range{std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
-      for (const int part : polygons_[polygon].parts)
-        range = {std::min(range.first, fragments_[part].extents.box.*low),
-                 std::max(range.second, fragments_[part].extents.box.*high)};
+      for (const int id : run_[polygon].parts)
+        range = {std::min(range.first, part(id).extents.box.*low),
+                 std::max(range.second, part(id).extents.box.*high)};
       return range;
     };
     const auto [p0, p1] = reach(P);
@@ -205,9 +153,9 @@ class RunJudge {
   [[nodiscard]] double gap(int p, int q) const {
     double widest = -1e300;
     for (const auto& [of, other] : {std::pair{p, q}, {q, p}})
-      for (const Side& side : fragments_[of].region) {
+      for (const Side& side : part(of).region) {
         double least = 1e300;
-        for (const Side& at : fragments_[other].region)
+        for (const Side& at : part(other).region)
           least = std::min(least, -(side.line.a * at.corner.x + side.line.b * at.corner.y + side.line.c));
         widest = std::max(widest, least / std::hypot(side.line.a, side.line.b));
       }
@@ -217,8 +165,7 @@ class RunJudge {
   [[nodiscard]] Truth onSide(int of, int planeOf, int allowed) const {
     Truth found{.noIsWrong = true};
     double needed = 1e300;
-    for (const CornerDistance& c :
-         distancesFromPlane(scene_, fragments_[of].region, face(of), face(planeOf))) {
+    for (const CornerDistance& c : distancesFromPlane(scene_, part(of).region, face(of), face(planeOf))) {
       const bool mayBeOn = c.mayBeOn || std::abs(c.inFront) <= kOnPlane, beyond = c.sign == -allowed;
       if (beyond && !mayBeOn && (!found.yesIsWrong || std::abs(c.inFront) > found.off))
         found = {true, false, std::abs(c.inFront), c.at};
@@ -231,8 +178,7 @@ class RunJudge {
   [[nodiscard]] int samplesNearer(int P, int Q, Found* first = nullptr) const {
     int samples = 0;
     forEachPair(P, Q, [&](int p, int q) {
-      if (!fragments_[p].extents.box.overlaps(fragments_[q].extents.box)) return;
-      forEachHidden(scene_, sorted_, fragment(p), fragment(q), width_, height_, [&](int i, int j) {
+      run_.record.forEachHidden(p, q, [&](int i, int j) {
         if (samples++ == 0 && first) first->i = i, first->j = j, first->fragmentP = q, first->fragmentQ = p;
       });
     });
@@ -244,12 +190,12 @@ class RunJudge {
     bool may = true;
     forEachPair(P, Q, [&](int p, int q) {
       may = may && (regions_.samePlane(face(p).plane, face(q).plane) ||
-                    tests_.compare(shape(p), shape(q)).verdict == Verdict::PFirst);
+                    run_.record.compare(p, q).verdict == Verdict::PFirst);
     });
     return may;
   }
   [[nodiscard]] Truth truthOf(Test test, int P, int Q) {
-    if (polygons_[P].parts.empty() || polygons_[Q].parts.empty()) return {};
+    if (run_[P].parts.empty() || run_[Q].parts.empty()) return {};
     if (test == Test::XExtents) return apart(P, Q, &ScreenBox::x0, &ScreenBox::x1);
     if (test == Test::YExtents) return apart(P, Q, &ScreenBox::y0, &ScreenBox::y1);
     if (test == Test::Overlap) {
@@ -312,12 +258,12 @@ class RunJudge {
     if (found_.size() < kMostFound) found_.push_back(std::move(found));
   }
   [[nodiscard]] bool isThere(int P) {
-    const Polygon& polygon = polygons_[P];
-    if (polygon.state == Polygon::State::Waiting) return true;
+    const NamedRun::Polygon& polygon = run_[P];
+    if (polygon.state == NamedRun::Polygon::State::Waiting) return true;
+    const bool painted = polygon.state == NamedRun::Polygon::State::Painted;
     tell({.kind = Falsehood::Gone,
           .P = P,
-          .more = (polygon.state == Polygon::State::Painted ? "was painted in line " : "was split in line ") +
-                  std::to_string(polygon.line)});
+          .more = (painted ? "was painted in line " : "was split in line ") + std::to_string(polygon.line)});
     return false;
   }
   /// What was moved may be moved again: the run comes nearer to its end.
@@ -404,9 +350,9 @@ class RunJudge {
 
   void paint(int P, int cell) {
     if (!isThere(P)) return;
-    Polygon& polygon = polygons_[P];
-    polygon.state = Polygon::State::Painted, polygon.line = line_;
-    if (cell >= 0 && (polygon.shade || (polygon.parts.size() == 1 && isPiece(polygon.parts[0])))) {
+    const NamedRun::Polygon& polygon = run_[P];
+    const std::vector<int>& parts = polygon.parts;
+    if (cell >= 0 && (polygon.shade || (parts.size() == 1 && part(parts[0]).fragment.piece >= 0))) {
       const int is = polygon.shade ? static_cast<int>((*polygon.shade)[4])
                                    : cellOf_.emplace(polygon.face, cell).first->second;
       if (cell != is)
@@ -415,16 +361,17 @@ class RunJudge {
               .more = "is painted with cell " + std::to_string(cell) + ", and its face has cell " +
                       std::to_string(is) + ": a split copies the shading"});
     }
-    for (const int p : polygon.parts)
-      forEachSpan(scene_, sorted_, fragment(p), width_, height_, [&](int row, int from, int to) {
-        for (int i = from; i < to; ++i) paintSample(p, i, row);
-      });
+    for (const int p : parts)
+      forEachSpan(scene_, run_.record.sorted(), part(p).fragment, width_, height_,
+                  [&](int row, int from, int to) {
+                    for (int i = from; i < to; ++i) paintSample(p, i, row);
+                  });
     std::erase(chain_, P);
     goOn();
   }
   void paintSample(int p, int i, int j) {
     const std::size_t at = static_cast<std::size_t>(j) * width_ + i;
-    const int mine = fragments_[p].face;
+    const int mine = part(p).fragment.face;
     if (visible_[at] == mine) shown_[at] = true;
     const int before = nearest_[at];
     if (before == kNothing ||
@@ -432,8 +379,8 @@ class RunJudge {
       nearest_[at] = p;
       return;
     }
-    if (checkOf(scene_, mine, fragments_[before].face, i, j) != SampleCheck::Wrong) return;
-    const std::pair pair{fragments_[before].polygon, fragments_[p].polygon};
+    if (checkOf(scene_, mine, part(before).fragment.face, i, j) != SampleCheck::Wrong) return;
+    const std::pair pair{run_.polygonOf(before), run_.polygonOf(p)};
     if (early_.size() >= kMostFound && !early_.contains(pair)) return;
     Found& early = early_[pair];
     if (early.samples++ == 0)
@@ -446,73 +393,37 @@ class RunJudge {
                .fragmentQ = p};
   }
 
-  void split(int P, int Q, const RunStep& s) {
-    if (!isThere(P)) {
-      addPiece(P, s.behind, {});
-      return addPiece(P, s.inFront, {});
-    }
+  void split(int P, int Q) {
+    if (!isThere(P)) return;
     // The pair that led to it; in a cycle others may be split.
     const auto [p, q] = tested_;
     if (p >= 0 && std::pair{std::min(P, Q), std::max(P, Q)} == std::pair{std::min(p, q), std::max(p, q)})
       leftOut(p, q, std::ranges::find(chain_, q) == chain_.end());
-
-    const std::vector<int> parts = polygons_[P].parts;
-    std::vector<int> behind, inFront;
-    const bool hasPlane = !polygons_[Q].parts.empty();
-    bool crosses = parts.empty() || !hasPlane;
+    bool crosses = run_[P].parts.empty() || run_[Q].parts.empty();
     double beyond = 0;
-    for (const int part : parts) {
-      if (!hasPlane) break;
-      const int by = polygons_[Q].parts.front();
-      if (tests_.crosses(shape(part), shape(by))) {
-        crosses = true;
-        const int first = cut(part, by);
-        behind.push_back(first), inFront.push_back(first + 1);
-        continue;
-      }
-      const Truth isBehind = onSide(part, by, -1), isInFront = onSide(part, by, 1);
-      crosses |= !isBehind.noIsWrong && !isInFront.noIsWrong;
+    for (const int id : crosses ? std::vector<int>{} : run_[P].parts) {
+      const int by = run_[Q].parts.front();
+      const Truth isBehind = onSide(id, by, -1), isInFront = onSide(id, by, 1);
+      crosses |= run_.record.crosses(id, by) || (!isBehind.noIsWrong && !isInFront.noIsWrong);
       beyond = isBehind.noIsWrong ? isBehind.off : isInFront.off;
-      (isBehind.yesIsWrong ? inFront : behind).push_back(part);
     }
     if (!crosses) tell({.kind = Falsehood::NoCut, .P = P, .Q = Q, .off = beyond});
-    if (crosses && parts.size() == 1 && behind.size() == 1 && inFront.size() == 1)
-      checkOutlines(P, Q, behind[0], inFront[0], s);
-    checkShade(P, s.P, false);
-    polygons_[P].state = Polygon::State::Split, polygons_[P].line = line_;
-    addPiece(P, s.behind, std::move(behind));
-    addPiece(P, s.inFront, std::move(inFront));
     std::erase(chain_, P);
     goOn();
   }
-  /// Returns the id of the piece behind.
-  int cut(int part, int by) {
-    const PairTests::Parts pieces = tests_.split(shape(part), shape(by));
-    sorted_.events.push_back({.kind = Event::Kind::Split, .P = part, .Q = by});
-    for (const Region* region : {&pieces.behind, &pieces.front}) {
-      const Extents extents = extentsOf(scene_, face(part), *region, fragments_[part].extents);
-      const PieceOf of{fragments_[part].face, part};
-      enterPiece(sorted_, of, *region, rowsOf(extents.box, {0, 0, width_, height_}, false));
-      fragments_.push_back({of.face, static_cast<int>(sorted_.pieces.size()) - 1, *region, extents});
+  void checkPieces(const RunStep& s, const NamedRun::Step& at) {
+    if (run_[at.P].line == line_) {
+      checkOutlines(s, at);
+      checkShade(at.P, s.P, false);
     }
-    return static_cast<int>(fragments_.size()) - 2;
-  }
-  void addPiece(int P, const RunPolygon& named, std::vector<int> parts) {
-    auto& known = named.name.empty() ? byNumber_ : byPlace_;
-    if (known.contains(named.id) || (named.name.empty() && named.id < picture_.scene().mesh.faceCount()))
-      throw std::runtime_error{"a piece has the number " + std::to_string(named.id) +
-                               ", which another polygon has"};
-    checkShade(P, named, true);
-    Polygon piece{named.name.empty()
-                      ? "piece " + std::to_string(named.id) + " of face " + std::to_string(polygons_[P].face)
-                      : named.name,
-                  polygons_[P].face, std::move(parts)};
-    piece.shade = polygons_[P].shade;
-    known[named.id] = add(std::move(piece));
+    for (const auto& [piece, told] : {std::pair{at.behind, &s.behind}, {at.inFront, &s.inFront}}) {
+      checkShade(at.P, *told, true);
+      run_[piece].shade = run_[at.P].shade;
+    }
   }
   /// The shading of P, as it was told first, and that of P or of a piece now.
   void checkShade(int P, const RunPolygon& now, bool isPiece) {
-    Polygon& polygon = polygons_[P];
+    NamedRun::Polygon& polygon = run_[P];
     if (!polygon.shade) polygon.shade = now.shade;
     if (!polygon.shade || !now.shade) return;
     constexpr std::array kNames{"normal x", "normal y", "normal z", "N.L", "cell"};
@@ -531,7 +442,7 @@ class RunJudge {
   /// planes may touch do not count: there the line of the cut is uncertain.
   [[nodiscard]] double difference(const std::vector<glm::dvec2>& told, int piece, int by,
                                   Place& where) const {
-    const std::vector<glm::dvec2> right = cornersOf(fragments_[piece].region);
+    const std::vector<glm::dvec2> right = cornersOf(part(piece).region);
     double most = 0;
     const auto compare = [&](const std::vector<glm::dvec2>& from, const std::vector<glm::dvec2>& to) {
       for (const glm::dvec2& at : from) {
@@ -548,23 +459,29 @@ class RunJudge {
     compare(right, told);
     return most;
   }
-  void checkOutlines(int P, int Q, int behind, int inFront, const RunStep& s) {
-    if (s.behind.outline.empty() || s.inFront.outline.empty()) return;
+  void checkOutlines(const RunStep& s, const NamedRun::Step& at) {
+    const std::vector<int>&whole = run_[at.P].parts, &behinds = run_[at.behind].parts,
+          &fronts = run_[at.inFront].parts;
+    if (whole.size() != 1 || behinds.size() != 1 || fronts.size() != 1 || s.behind.outline.empty() ||
+        s.inFront.outline.empty())
+      return;
+    const int by = run_[at.Q].parts.front(), behind = behinds[0], inFront = fronts[0];
     constexpr double kOff = 1.5 * kRounded;
     const std::array told{s.behind.outline, s.inFront.outline};
     const double sum = areaOf(told[0]) + areaOf(told[1]);
-    const int by = polygons_[Q].parts.front();
     Place where, elsewhere;
     const double off = difference(told[0], behind, by, where),
                  other = difference(told[1], inFront, by, elsewhere);
     if (off <= kOff && other <= kOff) return;
     Found found{.kind = Falsehood::Plane,
-                .P = P,
-                .Q = Q,
+                .P = at.P,
+                .Q = at.Q,
                 .off = std::max(off, other),
-                .at = off >= other ? where : elsewhere};
+                .at = off >= other ? where : elsewhere,
+                .right = {at.behind, at.inFront},
+                .told = {told[0], told[1]}};
     Place ignored;
-    const double whole = areaOf(cornersOf(fragments_[polygons_[P].parts[0]].region));
+    const double all = areaOf(cornersOf(part(whole[0]).region));
     double around = 0;
     for (const auto& outline : told)
       for (std::size_t k = 0; k < outline.size(); ++k)
@@ -572,10 +489,10 @@ class RunJudge {
     if (difference(told[0], inFront, by, ignored) <= kOff &&
         difference(told[1], behind, by, ignored) <= kOff) {
       found.kind = Falsehood::Sides;
-    } else if (std::abs(sum - whole) > kRounded * around / 2) {
+    } else if (std::abs(sum - all) > kRounded * around / 2) {
       found.kind = Falsehood::Cover;
       found.more = "their areas are " + significant(areaOf(told[0]), 6) + " and " +
-                   significant(areaOf(told[1]), 6) + ", its own is " + significant(whole, 6) + " pixels";
+                   significant(areaOf(told[1]), 6) + ", its own is " + significant(all, 6) + " pixels";
     }
     tell(std::move(found));
   }
@@ -591,25 +508,24 @@ class RunJudge {
         const int face = visible_[at];
         if (face == kNothing || shown_[at]) continue;
         if (nearest_[at] != kNothing &&
-            checkOf(scene_, fragments_[nearest_[at]].face, face, i, j) == SampleCheck::Doubtful)
+            checkOf(scene_, part(nearest_[at]).fragment.face, face, i, j) == SampleCheck::Doubtful)
           continue;
         Found& one = lost[scene_.faces[face].number];
         if (one.samples++ == 0)
           one = {.kind = Falsehood::Lost, .line = 0, .samples = 1, .i = i, .j = j, .fragmentP = face};
       }
     for (auto& [number, one] : lost) {
-      for (int id = 0; id < static_cast<int>(fragments_.size()) && one.P < 0; ++id) {
-        const Fragmented& f = fragments_[id];
-        if (f.face == one.fragmentP && f.polygon >= 0 &&
-            polygons_[f.polygon].state == Polygon::State::Waiting && owns(f, one.i, one.j))
-          one.P = f.polygon;
-      }
-      if (one.P < 0) one.P = add({"face " + std::to_string(number), number});
+      for (int id = 0; id < run_.record.parts() && one.P < 0; ++id)
+        if (const int P = run_.polygonOf(id); P >= 0 && part(id).fragment.face == one.fragmentP &&
+                                              run_[P].state == NamedRun::Polygon::State::Waiting &&
+                                              owns(part(id).region, one.i, one.j))
+          one.P = P;
+      if (one.P < 0) one.P = run_.add({"face " + std::to_string(number), number});
       tell(one);
     }
   }
-  [[nodiscard]] bool owns(const Fragmented& f, int i, int j) const {
-    return std::ranges::all_of(f.region,
+  [[nodiscard]] bool owns(const Region& region, int i, int j) const {
+    return std::ranges::all_of(region,
                                [&](const Side& side) { return signAtSample(scene_, side.line, i, j) > 0; });
   }
 
@@ -620,13 +536,16 @@ class RunJudge {
     std::map<std::pair<Falsehood, int>, std::size_t> like;
     bool looped = false;
     for (const Found& f : found_) {
-      const int p = polygons_[f.P].face, q = f.Q < 0 ? -1 : polygons_[f.Q].face;
+      const int p = run_[f.P].face, q = f.Q < 0 ? -1 : run_[f.Q].face;
       const std::pair pair{std::min(p, q), std::max(p, q)};
       const bool ofPieces = f.kind == Falsehood::Shade;
       const bool follows = !ofPieces && (blamed.contains(pair) || spoilt.contains(p) || spoilt.contains(q) ||
                                          (looped && f.kind == Falsehood::Lost));
+      FalseStep step = inWords(f, explainer);
       if (follows) {
         ++report_.follow;
+        step.follows = true;
+        report_.others.push_back(std::move(step));
         continue;
       }
       if (!ofPieces) blamed.insert(pair);
@@ -635,9 +554,9 @@ class RunJudge {
       const auto [at, isNew] =
           like.try_emplace({f.kind, f.test ? static_cast<int>(*f.test) : -1}, report_.wrong.size());
       if (isNew)
-        report_.wrong.push_back(inWords(f, explainer));
+        report_.wrong.push_back(std::move(step));
       else
-        ++report_.wrong[at->second].alike;
+        ++report_.wrong[at->second].alike, report_.others.push_back(std::move(step));
     }
   }
 
@@ -645,7 +564,7 @@ class RunJudge {
 
   /// The test that settles a pair of fragments, in words.
   [[nodiscard]] std::string settling(const Found& f, const Explainer& explainer) {
-    const Relation r = tests_.compare(shape(f.fragmentP), shape(f.fragmentQ));
+    const Relation r = run_.record.compare(f.fragmentP, f.fragmentQ);
     return explainer.sentence({.kind = Event::Kind::Compare,
                                .test = r.test,
                                .verdict = r.verdict,
@@ -654,11 +573,16 @@ class RunJudge {
                                .Q = f.fragmentQ},
                               r.test);
   }
-  [[nodiscard]] FalseStep inWords(const Found& f, const Explainer& known) {
-    Explainer explainer = known;
-    explainer.call(Called::PAndQ);
-    const std::string P = polygons_[f.P].name, Q = f.Q < 0 ? "" : polygons_[f.Q].name;
-    FalseStep step{.kind = f.kind, .line = f.line, .P = P, .Q = Q};
+  [[nodiscard]] FalseStep inWords(const Found& f, const Explainer& explainer) {
+    const std::string P = run_[f.P].name, Q = f.Q < 0 ? "" : run_[f.Q].name;
+    FalseStep step{.kind = f.kind,
+                   .line = f.line,
+                   .P = P,
+                   .Q = Q,
+                   .test = f.test,
+                   .polygonQ = f.Q,
+                   .right = f.right,
+                   .told = f.told};
     std::string& says = step.says;
     const std::string shows =
         counted(f.samples, "sample") + ", such as " + std::to_string(f.i) + ',' + std::to_string(f.j);
@@ -707,7 +631,7 @@ class RunJudge {
         } else {
           says = Q + " goes before " + P + " again, and nothing was painted or split since: ";
           const std::size_t first = f.round.size() > kMostNamed ? f.round.size() - kMostNamed : 0;
-          for (std::size_t k = first; k < f.round.size(); ++k) says += polygons_[f.round[k]].name + " after ";
+          for (std::size_t k = first; k < f.round.size(); ++k) says += run_[f.round[k]].name + " after ";
           says += Q + ". Q has a mark, so one of them is split";
         }
         break;
@@ -744,15 +668,10 @@ class RunJudge {
   const SnappedScene& scene_;
   int width_, height_;
   Regions regions_;
-  PairTests tests_;
+  NamedRun run_;
   std::vector<int> visible_;
   std::vector<bool> shown_;   ///< each sample: whether what is visible there was painted
   std::vector<int> nearest_;  ///< each sample: the nearest fragment that was painted
-  std::map<int, std::vector<int>> facesOf_;
-  SortedScene sorted_;  ///< the pieces
-  std::vector<Fragmented> fragments_;
-  std::vector<Polygon> polygons_;
-  std::unordered_map<std::int64_t, int> byNumber_, byPlace_;
   std::unordered_map<std::uint64_t, PairRecord> pairs_;
   std::map<int, int> cellOf_;  ///< of faces: the cell of the first piece that was painted
   std::map<std::pair<int, int>, Found> early_;

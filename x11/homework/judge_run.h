@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "shading/picture/picture.h"
-#include "x11/homework/run_file.h"
+#include "x11/homework/run_record.h"
 #include "x11/kit/page.h"
 
 namespace xnewell {
@@ -47,17 +47,31 @@ struct FalseStep {
   std::string P, Q;  ///< the polygons; Q may be ""
   std::string says = {};
   page::Object numbers = {};
-  int alike = 0;  ///< how many others of this kind are not listed
+  int alike = 0;         ///< how many others of this kind are not listed
+  bool follows = false;  ///< it may follow from one before
+  // For the stepper: the polygons are those of the run (NamedRun).
+  std::optional<Test> test = {};
+  int polygonQ = -1;
+  std::vector<int> right = {};                     ///< what would have been right
+  std::vector<std::vector<glm::dvec2>> told = {};  ///< outlines of the run
 };
 
 struct RunReport {
   int steps = 0;
-  std::vector<FalseStep> wrong;  ///< the first one, and others that do not follow from those before
-  int follow = 0;                ///< how many were left out, for they may follow
+  std::vector<FalseStep> wrong;   ///< the first one, and others that do not follow from those before
+  std::vector<FalseStep> others;  ///< what is not listed
+  int follow = 0;                 ///< how many of them may follow from those listed
 };
 
 /// `picture` has planes. @throws ParseError for what is no run of this scene
 [[nodiscard]] RunReport judgeRun(const Picture& picture, const RunFile& run);
+
+/// A run that was judged, with the picture of its own size.
+struct JudgedRun {
+  RunFile file;
+  Picture picture;
+  RunReport report;
+};
 
 /// One line, without a line break.
 [[nodiscard]] std::string verdictOf(const RunReport& report);

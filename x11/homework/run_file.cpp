@@ -102,11 +102,23 @@ RunStep stepOf(const Json& json) {
     if (said == kOutcomes.end())
       throw std::runtime_error{inQuotes(outcome) + " is no outcome of a test: yes and no are"};
     step.test = row->id, step.outcome = *said;
+    if (const auto verdict = json.find("verdict"); verdict != json.end())
+      for (const Verdict v : {Verdict::PFirst, Verdict::QFirst, Verdict::Crossing})
+        if (*verdict == nameOf(v)) step.verdict = v;
   }
   return step;
 }
 
 }  // namespace
+
+Verdict RunStep::said() const {
+  if (verdict && outcome != "no") return *verdict;
+  const bool exchanged = test == Test::QBehindP || test == Test::PInFrontOfQ;
+  return outcome == "yes" ? (exchanged ? Verdict::QFirst : Verdict::PFirst)
+                          : static_cast<Verdict>(std::min<std::ptrdiff_t>(
+                                std::ranges::find(kOutcomes, outcome) - kOutcomes.begin(),
+                                static_cast<std::ptrdiff_t>(Verdict::Crossing)));
+}
 
 Json asJson(const RunStep& step) {
   Json json;

@@ -37,6 +37,9 @@ struct RunStep {
   std::string text = {};  ///< of a note
   int step = 0;           ///< as trace counts; 0: it is not told
   int line = 0;           ///< of the file
+
+  /// What a test says of P and Q; Crossing if it does not tell.
+  [[nodiscard]] Verdict said() const;
 };
 inline constexpr std::array<std::string_view, 5> kOutcomes{"P first", "Q first", "crossing", "yes", "no"};
 /// The first three of them.

@@ -140,7 +140,7 @@ void SortBench::act(int index) {
       if (reply.valid) nextP = Q, nextQ = P;
       break;
     default:
-      reply = index == 2 ? own_->cut(*run(), P, Q, true) : own_->cut(*run(), Q, P, false);
+      reply = index == 2 ? own_->cut(P, Q, true) : own_->cut(Q, P, false);
       if (reply.valid) (index == 2 ? nextP : nextQ) = own_->lastPiece();
   }
   showOwn(nextP, nextQ, reply);

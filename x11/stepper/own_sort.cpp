@@ -5,40 +5,14 @@
 #include <cctype>
 #include <utility>
 
-#include "depthsort/pair_tests.h"
-#include "depthsort/pieces.h"
 #include "shading/diagnose/pair_scene.h"
 #include "x11/drawing/wording.h"
-#include "x11/homework/hidden_samples.h"
 #include "x11/homework/reports.h"
-#include "x11/stepper/fragment_tint.h"
 #include "x11/stepper/sort_wording.h"
 
 namespace xnewell {
 
-struct OwnSort::Seen {
-  Seen(const SortRun& run, int id)
-      : index{run.fragments().faceIndex(id)},
-        box{run.fragments().extents(id).box},
-        isPiece{run.fragments().isPiece(id)},
-        face{run.scene().faces[index]} {
-    if (isPiece) region = run.fragments().region(id);
-  }
-  [[nodiscard]] Shape shape() const { return {face, index, box, isPiece ? &region : nullptr}; }
-
-  int index;
-  ScreenBox box;
-  bool isPiece;
-  const SnappedFace& face;
-  Region region;
-};
-
 namespace {
-
-PairTests testsFor(const Picture& picture) {
-  return {picture.snapped(),
-          {.width = picture.settings().width, .height = picture.settings().height, .textbook = true}};
-}
 
 std::string samplesText(int samples, int i, int j) {
   return counted(samples, "sample") + ", such as " + std::to_string(i) + "," + std::to_string(j);
@@ -73,47 +47,22 @@ std::string circleText(const SortRun& run, const std::vector<int>& cycle) {
 
 }  // namespace
 
-OwnSort::OwnSort(Picture picture, std::vector<int> list) : picture_{std::move(picture)} {
-  sorted_.list = std::move(list);
-}
-
 std::unique_ptr<SortRun> OwnSort::makeRun(std::uint8_t ground) const {
-  auto run = std::make_unique<SortRun>(picture_, sorted_, ground);
+  auto run = std::make_unique<SortRun>(picture_, record_.sorted(), ground);
   run->goTo(run->steps());
   return run;
 }
 
-OwnSort::Hidden OwnSort::hidden(const SortRun& run, int P, int R) const {
+OwnSort::Hidden OwnSort::hidden(int P, int R) const {
   Hidden found;
-  const Seen p{run, P}, r{run, R};
-  if (!p.box.overlaps(r.box)) return found;
-  const SnappedScene& scene = picture_.snapped();
-  forEachHidden(scene, sorted_, fragmentOf(scene, sorted_, P), fragmentOf(scene, sorted_, R),
-                picture_.settings().width, picture_.settings().height, [&](int i, int row) {
-                  if (found.samples++ == 0) found.i = i, found.j = row;
-                  if (!found.rows.empty() && found.rows.back().row == row && found.rows.back().to == i)
-                    ++found.rows.back().to;
-                  else
-                    found.rows.push_back({row, i, i + 1});
-                });
+  record_.forEachHidden(P, R, [&](int i, int row) {
+    if (found.samples++ == 0) found.i = i, found.j = row;
+    if (!found.rows.empty() && found.rows.back().row == row && found.rows.back().to == i)
+      ++found.rows.back().to;
+    else
+      found.rows.push_back({row, i, i + 1});
+  });
   return found;
-}
-
-void OwnSort::begin(int P, int Q) {
-  done_.push_back({.events = sorted_.events.size(),
-                   .fragments = sorted_.fragments.size(),
-                   .pieces = sorted_.pieces.size(),
-                   .cuts = sorted_.cuts.size(),
-                   .stack = stack_,
-                   .P = P,
-                   .Q = Q});
-}
-
-/// P becomes the polygon that the next event is about. If it is not the P of the moves before, they end.
-void OwnSort::take(int P) {
-  if (!stack_.empty() && stack_.back() == P) return;
-  sorted_.events.push_back({.kind = Event::Kind::Take, .P = P});
-  stack_ = {P};
 }
 
 OwnSort::Reply OwnSort::refuse(std::string bold, std::string why) {
@@ -135,7 +84,7 @@ OwnSort::Reply OwnSort::paint(const SortRun& run, int P, int Q) {
   std::vector<SampleRow> spoilt;
   for (const int R : run.waiting()) {
     if (R == P) continue;
-    Hidden here = hidden(run, P, R);
+    Hidden here = hidden(P, R);
     spoilt.insert(spoilt.end(), here.rows.begin(), here.rows.end());
     if (here.samples > most.samples) most = std::move(here), covers = R;
   }
@@ -153,62 +102,42 @@ OwnSort::Reply OwnSort::paint(const SortRun& run, int P, int Q) {
                  samplesText(most.samples, most.i, most.j) + ". " + lesson + "."};
   }
   begin(P, Q);
-  take(P);
-  sorted_.events.push_back({.kind = Event::Kind::Paint, .P = P});
-  sorted_.fragments.push_back(fragmentOf(picture_.snapped(), sorted_, P));
-  stack_.pop_back();
+  record_.paint(P);
   return done(std::move(reply), std::move(spoilt));
 }
 
 OwnSort::Reply OwnSort::tell(const SortRun& run, Test test, int P, int Q) {
   const Event compare{.kind = Event::Kind::Compare, .test = test, .P = P, .Q = Q};
-  PairTests tests = testsFor(picture_);
   const std::string numbers = numbersOf(run.explainer(), compare, test).front();
-  if (!tests.passes(test, Seen{run, P}.shape(), Seen{run, Q}.shape()))
+  if (!record_.tests().passes(test, record_.shape(P), record_.shape(Q)))
     return {true, testText(test) + " does not tell.",
             std::string{questionOf(test)} + " No: " + numbers + ". That is no step, and does not count.",
             false};
   begin(P, Q);
-  take(P);
-  sorted_.events.push_back(compare);
+  record_.take(P);
+  record_.add(compare);
   return done({true, testText(test) + " tells: P may be painted before Q.",
                std::string{questionOf(test)} + " Yes: " + numbers + "."});
 }
 
 OwnSort::Reply OwnSort::move(const SortRun& run, int P, int Q) {
-  if (const Hidden here = hidden(run, Q, P); here.samples > 0)
+  if (const Hidden here = hidden(Q, P); here.samples > 0)
     return refuse("Q is not moved.", "Q is nearer than P at " + samplesText(here.samples, here.i, here.j) +
                                          ", so P must be painted before Q.");
   begin(P, Q);
-  // A marked Q would be marked twice: then the moves begin anew.
-  if (std::ranges::find(stack_, Q) != stack_.end()) stack_.clear();
-  take(P);
-  sorted_.events.push_back({.kind = Event::Kind::Move, .P = P, .Q = Q});
-  stack_.push_back(Q);
+  record_.move(P, Q);
   const std::string first = polygonName(run.fragments(), Q), old = polygonName(run.fragments(), P);
   return done({true, capitalized(first) + " goes first.",
                "It is nowhere nearer than " + old + ". It is P now; " + old + " is Q, and marked."});
 }
 
-OwnSort::Reply OwnSort::cut(const SortRun& run, int polygon, int by, bool isP) {
-  const Seen seen{run, polygon}, plane{run, by};
-  PairTests tests = testsFor(picture_);
-  if (!tests.crosses(seen.shape(), plane.shape()))
+OwnSort::Reply OwnSort::cut(int polygon, int by, bool isP) {
+  if (!record_.crosses(polygon, by))
     return isP ? refuse("P is not cut.", "The plane of Q does not cross P.")
                : refuse("Q is not cut.", "The plane of P does not cross Q.");
   isP ? begin(polygon, by) : begin(by, polygon);
-  sorted_.events.push_back({.kind = Event::Kind::Split, .P = polygon, .Q = by});
-  const auto at = std::ranges::find(stack_, polygon);
-  stack_.erase(at, stack_.end());
-  const PairTests::Parts parts = tests.split(seen.shape(), plane.shape());
-  const Extents whole = run.fragments().extents(polygon);
-  const PixelArea all{0, 0, picture_.settings().width, picture_.settings().height};
-  for (const Region* part : {&parts.behind, &parts.front}) {
-    const Extents extents = extentsOf(picture_.snapped(), seen.face, *part, whole);
-    enterPiece(sorted_, {seen.index, polygon}, *part, rowsOf(extents.box, all, false));
-  }
-  const Fragments now{picture_.scene().mesh, picture_.snapped(), sorted_};
-  const int behind = lastPiece();
+  const int behind = record_.cut(polygon, by);
+  const Fragments now{picture_.scene().mesh, picture_.snapped(), record_.sorted()};
   return done({true, capitalized(polygonName(now, polygon)) + " is cut in two.",
                "The plane of " + polygonName(now, by) + " crosses it. Behind lies " +
                    polygonName(now, behind) + ", in front " + polygonName(now, behind + 1) + "."});
@@ -218,18 +147,14 @@ std::optional<std::pair<int, int>> OwnSort::undo() {
   if (done_.empty()) return std::nullopt;
   Done& last = done_.back();
   const std::pair pair{last.P, last.Q};
-  sorted_.events.resize(last.events);
-  sorted_.fragments.resize(last.fragments);
-  sorted_.pieces.resize(last.pieces);
-  sorted_.cuts.resize(last.cuts);
-  stack_ = std::move(last.stack);
+  record_.restore(std::move(last.before));
   done_.pop_back();
   return pair;
 }
 
 int OwnSort::lastPiece() const {
-  if (sorted_.events.empty() || sorted_.events.back().kind != Event::Kind::Split) return -1;
-  return static_cast<int>(picture_.snapped().faces.size() + sorted_.pieces.size()) - 2;
+  const std::vector<Event>& events = record_.sorted().events;
+  return events.empty() || events.back().kind != Event::Kind::Split ? -1 : record_.parts() - 2;
 }
 
 std::vector<SampleRow> OwnSort::spoilt(int events) const {
@@ -258,7 +183,7 @@ PaintStep OwnSort::stepOf(const SortRun& run, int id) const {
 
 std::vector<PaintStep> OwnSort::steps(const SortRun& run) const {
   std::vector<PaintStep> all;
-  for (int n = 0; n < static_cast<int>(sorted_.fragments.size()); ++n) {
+  for (int n = 0; n < static_cast<int>(record_.sorted().fragments.size()); ++n) {
     all.push_back(stepOf(run, run.paintedId(n)));
     all.back().line = n + 2;  // the first has the size
   }

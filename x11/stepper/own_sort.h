@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shading/diagnose/judge_order.h"
+#include "x11/homework/run_record.h"
 #include "x11/kit/score.h"
 #include "x11/stepper/sample_row.h"
 #include "x11/stepper/sort_run.h"
@@ -28,7 +29,9 @@ namespace xnewell {
 class OwnSort {
  public:
   /// `list` has the faces of picture.snapped(), which has planes: the farthest first.
-  OwnSort(Picture picture, std::vector<int> list);
+  OwnSort(const Picture& picture, std::vector<int> list) : picture_{picture}, record_{picture} {
+    record_.begin(std::move(list));
+  }
 
   /// What became of a step: a sentence, and why.
   struct Reply {
@@ -40,7 +43,7 @@ class OwnSort {
   Reply paint(const SortRun& run, int P, int Q);
   Reply tell(const SortRun& run, Test test, int P, int Q);
   Reply move(const SortRun& run, int P, int Q);
-  Reply cut(const SortRun& run, int polygon, int by, bool isP);
+  Reply cut(int polygon, int by, bool isP);
   /// Takes back the last step that was done, and returns its P and Q. Nothing if there is none. The score
   /// stays.
   std::optional<std::pair<int, int>> undo();
@@ -51,11 +54,11 @@ class OwnSort {
   void show(Picture picture) { picture_ = std::move(picture); }
 
   [[nodiscard]] const Score& score() const { return score_; }
-  [[nodiscard]] int events() const { return static_cast<int>(sorted_.events.size()); }
+  [[nodiscard]] int events() const { return record_.events(); }
   /// The first piece of the last cut, which is behind the plane; -1 if the last step was none.
   [[nodiscard]] int lastPiece() const;
   /// The polygon that the moves made P, once the one before is painted; -1 if there is none.
-  [[nodiscard]] int marked() const { return stack_.empty() ? -1 : stack_.back(); }
+  [[nodiscard]] int marked() const { return record_.marked().empty() ? -1 : record_.marked().back(); }
   /// The samples that painting too early has spoilt in the first `events` events.
   [[nodiscard]] std::vector<SampleRow> spoilt(int events) const;
   /// What became of the last step among the first `events` events.
@@ -66,31 +69,26 @@ class OwnSort {
   [[nodiscard]] std::vector<PaintStep> steps(const SortRun& run) const;
 
  private:
-  /// A polygon as the tests see it, with its region.
-  struct Seen;
   /// Where P is nearer than R, at their common samples.
   struct Hidden {
     int samples = 0, i = 0, j = 0;
     std::vector<SampleRow> rows;
   };
   struct Done {
-    std::size_t events, fragments, pieces, cuts;  ///< before it
-    std::vector<int> stack;                       ///< before it
+    RunRecord::State before;
     int P, Q;
     int after = 0;  ///< events
     std::vector<SampleRow> spoilt = {};
     Reply reply = {};
   };
-  [[nodiscard]] Hidden hidden(const SortRun& run, int P, int R) const;
+  [[nodiscard]] Hidden hidden(int P, int R) const;
   [[nodiscard]] PaintStep stepOf(const SortRun& run, int id) const;
-  void take(int P);
-  void begin(int P, int Q);
+  void begin(int P, int Q) { done_.push_back({.before = record_.state(), .P = P, .Q = Q}); }
   Reply refuse(std::string bold, std::string why);
   Reply done(Reply reply, std::vector<SampleRow> spoilt = {});
 
   Picture picture_;
-  SortedScene sorted_;
-  std::vector<int> stack_;  ///< the marked polygons, P last
+  RunRecord record_;
   std::vector<Done> done_;
   Score score_;
 };

@@ -1,0 +1,201 @@
+#include "x11/homework/run_record.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "depthsort/fragment_spans.h"
+#include "depthsort/pieces.h"
+#include "shading/laboratory/exactness.h"
+
+namespace xnewell {
+
+RunRecord::RunRecord(const Picture& picture, bool all)
+    : picture_{picture},
+      all_{all},
+      tests_{scene(),
+             {.width = picture.settings().width, .height = picture.settings().height, .textbook = true}} {
+  const Regions regions{scene()};
+  for (int f = 0; f < static_cast<int>(scene().faces.size()); ++f) {
+    const SnappedFace& face = scene().faces[f];
+    Part& whole = parts_.emplace_back(Fragment{f}, Region{},
+                                      extentsOf(scene(), face, tests_.vertexDepthsAreExact(face)));
+    regions.outline(face, whole.region);
+  }
+}
+
+void RunRecord::forEachHidden(int P, int Q, const std::function<void(int i, int j)>& use) const {
+  if (!parts_[P].extents.box.overlaps(parts_[Q].extents.box)) return;
+  const int width = picture_.settings().width, height = picture_.settings().height;
+  std::map<int, std::vector<Columns>> rows;
+  forEachSpan(scene(), sorted_, parts_[P].fragment, width, height, [&](int row, int from, int to) {
+    rows[row].push_back({from, to});
+  });
+  const ScreenPlane &p = scene().planes[face(P).plane], &q = scene().planes[face(Q).plane];
+  const int ofP = parts_[P].fragment.face, ofQ = parts_[Q].fragment.face;
+  forEachSpan(scene(), sorted_, parts_[Q].fragment, width, height, [&](int row, int from, int to) {
+    const auto at = rows.find(row);
+    if (at == rows.end()) return;
+    for (const Columns& columns : at->second)
+      for (int i = std::max(from, columns.from); i < std::min(to, columns.to); ++i)
+        if (nearer(p, q, i, row) > 0 && checkOf(scene(), ofQ, ofP, i, row) == SampleCheck::Wrong) use(i, row);
+  });
+}
+
+void RunRecord::take(int P) {
+  if (!marked_.empty() && marked_.back() == P) return;
+  add({.kind = Event::Kind::Take, .P = P});
+  marked_ = {P};
+}
+
+void RunRecord::add(const Event& event) {
+  if (all_ || event.kind == Event::Kind::Split) sorted_.events.push_back(event);
+}
+
+void RunRecord::move(int P, int Q) {
+  // A marked Q would be marked twice: then the moves begin anew.
+  if (std::ranges::find(marked_, Q) != marked_.end()) marked_.clear();
+  take(P);
+  add({.kind = Event::Kind::Move, .P = P, .Q = Q});
+  marked_.push_back(Q);
+}
+
+void RunRecord::paint(int P) {
+  take(P);
+  add({.kind = Event::Kind::Paint, .P = P});
+  sorted_.fragments.push_back(parts_[P].fragment);
+  marked_.pop_back();
+}
+
+int RunRecord::cut(int of, int by) {
+  const PairTests::Parts pieces = tests_.split(shape(of), shape(by));
+  add({.kind = Event::Kind::Split, .P = of, .Q = by});
+  marked_.erase(std::ranges::find(marked_, of), marked_.end());
+  const PixelArea all{0, 0, picture_.settings().width, picture_.settings().height};
+  for (const Region* region : {&pieces.behind, &pieces.front}) {
+    const Extents extents = extentsOf(scene(), face(of), *region, parts_[of].extents);
+    const int index = parts_[of].fragment.face;
+    enterPiece(sorted_, {index, of}, *region, rowsOf(extents.box, all, false));
+    parts_.push_back({{index, static_cast<int>(sorted_.pieces.size()) - 1}, *region, extents});
+  }
+  return parts() - 2;
+}
+
+void RunRecord::restore(State state) {
+  parts_.resize(parts_.size() - (sorted_.pieces.size() - state.pieces));
+  sorted_.events.resize(state.events);
+  sorted_.fragments.resize(state.fragments);
+  sorted_.pieces.resize(state.pieces);
+  sorted_.cuts.resize(state.cuts);
+  marked_ = std::move(state.marked);
+}
+
+NamedRun::NamedRun(const Picture& picture, const SnappedScene& named, bool all)
+    : record{picture, all}, named_{named}, faces_{picture.scene().mesh.faceCount()} {
+  std::vector<int> list;
+  for (int f = 0; f < record.parts(); ++f) partsOf_[record.face(f).number].push_back(f), list.push_back(f);
+  std::ranges::stable_sort(list, {}, [&](int f) { return record[f].extents.zFar; });
+  record.begin(std::move(list));
+}
+
+int NamedRun::add(Polygon polygon) {
+  polygonOf_.resize(record.parts(), -1);
+  for (const int part : polygon.parts) polygonOf_[part] = polygons();
+  polygons_.push_back(std::move(polygon));
+  return polygons() - 1;
+}
+
+int NamedRun::polygon(const RunPolygon& named) {
+  const bool isFace = named.name.empty();
+  auto& known = isFace ? byNumber_ : byPlace_;
+  if (const auto at = known.find(named.id); at != known.end()) return at->second;
+  if (isFace ? named.id >= faces_ : named.id >= std::ssize(named_.faces))
+    throw std::runtime_error{"no polygon " + std::to_string(named.id) + ": the faces are 0 to " +
+                             std::to_string(faces_ - 1) + ", and no split made it"};
+  const int id = static_cast<int>(named.id);
+  Polygon made{isFace ? "face " + std::to_string(id) : named.name, isFace ? id : named_.faces[id].number};
+  if (const auto parts = partsOf_.find(made.face); parts != partsOf_.end()) made.parts = parts->second;
+  if (!isFace) {  // one of the parts: the one with as many before it
+    int before = 0;
+    while (before < id && named_.faces[id - before - 1].number == made.face) ++before;
+    made.parts = before < std::ssize(made.parts) ? std::vector{made.parts[before]} : std::vector<int>{};
+  }
+  return known[named.id] = add(std::move(made));
+}
+
+int NamedRun::addPiece(int P, const RunPolygon& named, std::vector<int> parts) {
+  const bool isNumber = named.name.empty();
+  auto& known = isNumber ? byNumber_ : byPlace_;
+  const std::string number = std::to_string(named.id);
+  if (known.contains(named.id) || (isNumber && named.id < faces_))
+    throw std::runtime_error{"a piece has the number " + number + ", which another polygon has"};
+  const int face = polygons_[P].face;
+  return known[named.id] =
+             add({.name = isNumber ? "piece " + number + " of face " + std::to_string(face) : named.name,
+                  .face = face,
+                  .parts = std::move(parts),
+                  .own = isNumber ? named.id : -1});
+}
+
+void NamedRun::split(const RunStep& s, Step& step) {
+  const std::vector<int> whole = polygons_[step.P].parts, by = polygons_[step.Q].parts;
+  std::vector<int> behind, inFront;
+  if (polygons_[step.P].state == Polygon::State::Waiting && !by.empty()) {
+    for (const int part : whole) {
+      if (record.crosses(part, by[0])) {
+        const int first = record.cut(part, by[0]);
+        behind.push_back(first), inFront.push_back(first + 1);
+        continue;
+      }
+      record.add({.kind = Event::Kind::Impossible, .P = part, .Q = by[0]});
+      const bool ahead = record.tests().signsOver(record.shape(part), record.shape(by[0])).positive;
+      (ahead ? inFront : behind).push_back(part);
+    }
+  } else if (!whole.empty()) {
+    record.take(whole[0]);
+  }
+  step.behind = addPiece(step.P, s.behind, std::move(behind));
+  step.inFront = addPiece(step.P, s.inFront, std::move(inFront));
+}
+
+NamedRun::Step NamedRun::step(const RunStep& s, const std::function<void(const Step&)>& before) {
+  if (!s.kind && !s.marks) return {};
+  Step step{polygon(s.P)};
+  if (s.Q.id >= 0) step.Q = polygon(s.Q);
+  if (s.marks) return step;
+  before(step);
+  const std::vector<int> p = polygons_[step.P].parts,
+                         q = step.Q < 0 ? std::vector<int>{} : polygons_[step.Q].parts;
+  const bool shows = !p.empty() && (step.Q < 0 || !q.empty());
+  switch (*s.kind) {
+    case Event::Kind::Take:
+      if (shows) record.take(p[0]);
+      break;
+    case Event::Kind::Compare:
+      if (shows) record.add({.kind = *s.kind, .test = *s.test, .verdict = s.said(), .P = p[0], .Q = q[0]});
+      break;
+    case Event::Kind::Move:
+      if (shows) record.move(p[0], q[0]);
+      break;
+    case Event::Kind::Paint:
+      for (const int part : p) record.paint(part);
+      break;
+    case Event::Kind::Split:
+      split(s, step);
+      break;
+    case Event::Kind::Cycle:
+    case Event::Kind::Impossible:
+    case Event::Kind::Vain:
+    case Event::Kind::Void:
+      // The contact of a cycle changes marks, which are the program's own.
+      if (shows && *s.kind != Event::Kind::Void) record.add({.kind = *s.kind, .P = p[0], .Q = q[0]});
+      break;
+  }
+  Polygon& P = polygons_[step.P];
+  if (P.state == Polygon::State::Waiting && (s.kind == Event::Kind::Paint || s.kind == Event::Kind::Split))
+    P.state = s.kind == Event::Kind::Paint ? Polygon::State::Painted : Polygon::State::Split, P.line = s.line;
+  lines_.resize(record.sorted().events.size(), s.line);
+  return step;
+}
+
+}  // namespace xnewell

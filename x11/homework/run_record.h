@@ -1,0 +1,134 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "depthsort/extents.h"
+#include "depthsort/pair_tests.h"
+#include "shading/picture/picture.h"
+#include "x11/homework/run_file.h"
+
+namespace xnewell {
+
+/// A run of the depth sort that somebody else makes, recorded as the program records its own: the student's
+/// by hand, or that of another program. Any steps make a record that can be replayed.
+class RunRecord {
+ public:
+  /// The picture has planes. `all`: every event is kept; otherwise only the splits are, and what is painted.
+  explicit RunRecord(const Picture& picture, bool all = true);
+  RunRecord(const RunRecord&) = delete;  // its tests refer to its picture
+  RunRecord& operator=(const RunRecord&) = delete;
+  ~RunRecord() = default;
+
+  struct Part {
+    Fragment fragment;
+    Region region;
+    Extents extents;
+  };
+  [[nodiscard]] const SnappedScene& scene() const { return picture_.snapped(); }
+  [[nodiscard]] const Picture& picture() const { return picture_; }
+  [[nodiscard]] const SortedScene& sorted() const { return sorted_; }
+  [[nodiscard]] PairTests& tests() { return tests_; }
+  [[nodiscard]] int parts() const { return static_cast<int>(parts_.size()); }
+  /// A fragment by its id.
+  [[nodiscard]] const Part& operator[](int id) const { return parts_[id]; }
+  [[nodiscard]] const SnappedFace& face(int id) const { return scene().faces[parts_[id].fragment.face]; }
+  [[nodiscard]] Shape shape(int id) const {
+    const Part& part = parts_[id];
+    return {face(id), part.fragment.face, part.extents.box, part.fragment.piece < 0 ? nullptr : &part.region};
+  }
+  [[nodiscard]] bool crosses(int P, int Q) { return tests_.crosses(shape(P), shape(Q)); }
+  [[nodiscard]] Relation compare(int P, int Q) { return tests_.compare(shape(P), shape(Q)); }
+  /// Calls use(i, j) for each sample of both where Q must be painted before P: P is nearer there, and
+  /// rounding alone does not part them.
+  void forEachHidden(int P, int Q, const std::function<void(int i, int j)>& use) const;
+
+  /// The list before the first step.
+  void begin(std::vector<int> list) { sorted_.list = std::move(list); }
+  /// P becomes the polygon that the next event is about. If it is not the P of the moves before, they end.
+  void take(int P);
+  /// An event that changes no list.
+  void add(const Event& event);
+  void move(int P, int Q);
+  void paint(int P);
+  /// The plane of `by` properly crosses the polygon. Returns the id of the piece behind; the one in front has
+  /// the next id.
+  int cut(int of, int by);
+  /// The marked polygons, P last.
+  [[nodiscard]] const std::vector<int>& marked() const { return marked_; }
+  [[nodiscard]] int events() const { return static_cast<int>(sorted_.events.size()); }
+
+  struct State {
+    std::size_t events, fragments, pieces, cuts;
+    std::vector<int> marked;
+  };
+  [[nodiscard]] State state() const {
+    return {sorted_.events.size(), sorted_.fragments.size(), sorted_.pieces.size(), sorted_.cuts.size(),
+            marked_};
+  }
+  /// Goes back to a state before.
+  void restore(State state);
+
+ private:
+  const Picture picture_;
+  bool all_;
+  PairTests tests_;
+  SortedScene sorted_;
+  std::vector<Part> parts_;
+  std::vector<int> marked_;
+};
+
+/// The polygons that a run file speaks of, and what it does to them.
+class NamedRun {
+ public:
+  /// Names are those of `named`, which may be the same scene in a picture of another size.
+  NamedRun(const Picture& picture, const SnappedScene& named, bool all);
+
+  struct Polygon {
+    enum class State { Waiting, Painted, Split };
+    std::string name;
+    int face;                     ///< number in the scene
+    std::vector<int> parts = {};  ///< ids of fragments; several for a concave face, none if it is not visible
+    State state = State::Waiting;
+    int line = 0;           ///< that painted or split it
+    std::int64_t own = -1;  ///< of a piece: the number that the program gave it
+    std::optional<std::array<double, 5>> shade = {};
+  };
+  /// Indices of polygons; -1 for none.
+  struct Step {
+    int P = -1, Q = -1, behind = -1, inFront = -1;
+  };
+  /// Does a step. `before` is called when its P and Q are known and nothing is done yet.
+  /// @throws std::runtime_error for a name that is none
+  Step step(
+      const RunStep& s, const std::function<void(const Step&)>& before = [](const Step&) {});
+
+  [[nodiscard]] Polygon& operator[](int polygon) { return polygons_[polygon]; }
+  [[nodiscard]] const Polygon& operator[](int polygon) const { return polygons_[polygon]; }
+  [[nodiscard]] int polygons() const { return static_cast<int>(polygons_.size()); }
+  int add(Polygon polygon);
+  /// The polygon that a fragment is, or is a part of; -1 if the run does not speak of it.
+  [[nodiscard]] int polygonOf(int fragment) const {
+    return fragment < static_cast<int>(polygonOf_.size()) ? polygonOf_[fragment] : -1;
+  }
+  /// The line of each event.
+  [[nodiscard]] const std::vector<int>& lines() const { return lines_; }
+
+  RunRecord record;
+
+ private:
+  [[nodiscard]] int polygon(const RunPolygon& named);
+  int addPiece(int P, const RunPolygon& named, std::vector<int> parts);
+  void split(const RunStep& s, Step& step);
+
+  const SnappedScene& named_;
+  int faces_;
+  std::unordered_map<int, std::vector<int>> partsOf_;  ///< of faces by their numbers
+  std::vector<Polygon> polygons_;
+  std::vector<int> polygonOf_, lines_;
+  std::unordered_map<std::int64_t, int> byNumber_, byPlace_;
+};
+
+}  // namespace xnewell
