@@ -2,7 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <set>
+
+#include <glm/glm.hpp>
+
+#include "shading/color/color_difference.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -14,7 +21,46 @@ std::set<int> cellsOf(const CellPlan& plan) {
   return cells;
 }
 
+/// What an eye sees that lacks one kind of cone: red, green or blue. Rows of a matrix of linear RGB. Machado,
+/// Oliveira, Fernandes 2009, severity 1.
+using Eye = std::array<glm::dvec3, 3>;
+constexpr std::array<Eye, 4> kEyes{
+    Eye{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+    Eye{{{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}},
+    Eye{{{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}},
+    Eye{{{1.255528, -0.076749, -0.178779}, {-0.078411, 0.930809, 0.147602}, {0.004733, 0.691367, 0.303900}}}};
+
+Rgb16 seenBy(const Eye& eye, Rgb16 color) {
+  const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+  const auto stored = [](double v) {
+    v = std::clamp(v, 0.0, 1.0);
+    return static_cast<std::uint16_t>(
+        std::lround(65535 * (v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055)));
+  };
+  const glm::dvec3 light{linear(color.r / 65535.0), linear(color.g / 65535.0), linear(color.b / 65535.0)};
+  return {stored(glm::dot(eye[0], light)), stored(glm::dot(eye[1], light)), stored(glm::dot(eye[2], light))};
+}
+
 }  // namespace
+
+// The colours that carry a meaning differ for every eye by a CIEDE2000 of 15, from each other and from what
+// they stand on. Two pairs look alike to an eye without blue cones, and have a second sign: a verdict that
+// holds stands beside its words, P carries its letter; what has the focus has a bar at its left.
+TEST(Palette, MeaningsDifferForEveryEye) {
+  const CellPlan plan;
+  const Palette palette = makePalette(plan, ColorTable{{}});
+  const std::set<std::pair<Cell, Cell>> secondSigns{{Cell::P, Cell::Good}, {Cell::Paper, Cell::Focus}};
+  constexpr std::array kShown{Cell::Paper, Cell::Ink,  Cell::Well,  Cell::P,
+                              Cell::Q,     Cell::Good, Cell::Alarm, Cell::Focus};
+  std::set<std::pair<Cell, Cell>> alike;
+  for (const Eye& eye : kEyes)
+    for (std::size_t a = 0; a < kShown.size(); ++a)
+      for (std::size_t b = std::max<std::size_t>(a + 1, 3); b < kShown.size(); ++b)
+        if (ciede2000(labFromSrgb(seenBy(eye, palette[plan[kShown[a]]])),
+                      labFromSrgb(seenBy(eye, palette[plan[kShown[b]]]))) < 15)
+          alike.emplace(kShown[a], kShown[b]);
+  EXPECT_EQ(alike, secondSigns);
+}
 
 // The tool's cells are at their usual places, and the well's text is at 250 while `brief` uses 10..249.
 TEST(CellPlan, UsualPlaces) {

@@ -63,7 +63,8 @@ TEST(Address, IsThatOfACommand) {
   }
 }
 
-// A page that begins with a lesson holds the lesson's own files beside each other, and no byte of them ends the script.
+// A page that begins with a lesson holds the lesson's own files beside each other, and no byte of them ends
+// the script.
 TEST(Address, OfAPageWithItsFiles) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() / "a/b");
