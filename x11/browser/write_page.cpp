@@ -37,15 +37,6 @@ bool isIn(const fs::path& folder, const fs::path& file) {
   return std::ranges::mismatch(folder, file).in1 == folder.end();
 }
 
-/// The files that the page lacks: all that have been read but those of the data folder.
-std::set<fs::path> filesOfTheUser() {
-  const fs::path data = fs::canonical(dataFolder());
-  std::set<fs::path> files;
-  for (const std::string& file : inputs())
-    if (!isIn(data, file)) files.insert(file);
-  return files;
-}
-
 /// The smallest folder that has them all.
 fs::path folderOf(const std::set<fs::path>& files) {
   if (files.empty()) return {};
@@ -57,8 +48,11 @@ fs::path folderOf(const std::set<fs::path>& files) {
 
 }  // namespace
 
-std::string pageThatBeginsWith(const Options& options, std::string page) {
-  const std::set<fs::path> files = filesOfTheUser();
+std::string pageThatBeginsWith(const Options& options, const std::set<std::string>& read, std::string page) {
+  const fs::path data = fs::canonical(dataFolder());
+  std::set<fs::path> files;
+  for (const std::string& file : read)
+    if (!isIn(data, file)) files.insert(file);
   const fs::path folder = folderOf(files), own = placeOf(options.scene);
   std::string command = "xnewell " + std::string{rowOf(options.command).name} + ' ' +
                         quoted(files.contains(own) ? own.lexically_relative(folder).string() : options.scene);
@@ -75,6 +69,9 @@ std::string pageThatBeginsWith(const Options& options, std::string page) {
   return page.replace(at, kBegin.size(), "const begin = " + text + ';');
 }
 
-void writePage(const Options& options) { writeFile(options.page, pageThatBeginsWith(options, emptyPage())); }
+void writePage(const Options& options) {
+  const std::set<std::string> read = inputs();  // without the page
+  writeFile(options.page, pageThatBeginsWith(options, read, emptyPage()));
+}
 
 }  // namespace xnewell

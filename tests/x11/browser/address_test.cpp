@@ -5,6 +5,8 @@
 
 #include <filesystem>
 
+#include "geometry/files/data_folder.h"
+#include "geometry/files/input_file.h"
 #include "geometry/files/output_file.h"
 #include "geometry/files/text_file.h"
 #include "tests/support/temporary_folder.h"
@@ -70,19 +72,18 @@ TEST(Address, OfAPageWithItsFiles) {
   std::filesystem::create_directories(folder.path() / "a/b");
   writeFile(folder.file("a/<!--.json"), "{}");
   writeFile(folder.file("a/b/x.obj"), "v 0 0 0\n");
-  for (const char* name : {"a/<!--.json", "a/b/x.obj"}) (void)readTextFile(folder.file(name));
+  const std::set<std::string> read{placeOf(folder.file("a/<!--.json")), placeOf(folder.file("a/b/x.obj")),
+                                   (dataFolder() / "scenes/cycle.json").string()};
   Options options;
   options.command = Command::Lesson;
   options.scene = folder.file("a/<!--.json");
   options.given = {"scene", "--page", "--step"};
   options.values = {options.scene, "out.html", "3"};
   const std::string empty = readTextFile(XNEWELL_DATA_DIR "/../x11/browser/page.html");
-  const std::string page = pageThatBeginsWith(options, empty);
-  EXPECT_THAT(page, HasSubstr(R"(\u003c!--.json":"e30=")"));
-  EXPECT_THAT(page, HasSubstr(R"("address":"lesson&)"));
-  EXPECT_THAT(page, HasSubstr(R"(%3C%21--.json&step=3")"));
-  EXPECT_THAT(page, HasSubstr(R"(b/x.obj":"diAwIDAgMAo=")"));
-  EXPECT_THROW((void)pageThatBeginsWith(options, "<html>"), std::runtime_error);
+  const std::string page = pageThatBeginsWith(options, read, empty);
+  EXPECT_THAT(page, HasSubstr(R"(const begin = {"address":"lesson&%3C%21--.json&step=3",)"
+                              R"("files":{"\u003c!--.json":"e30=","b/x.obj":"diAwIDAgMAo="}};)"));
+  EXPECT_THROW((void)pageThatBeginsWith(options, read, "<html>"), std::runtime_error);
 }
 
 }  // namespace xnewell::THIS_FILE
