@@ -7,11 +7,12 @@
 #include <memory>
 #include <regex>
 
-#include "tests/support/scene_text.h"
+#include "shading/scene/scene_file.h"
 #include "tests/x11/support/command_fixture.h"
 #include "tests/x11/support/parsed_options.h"
 #include "x11/app/ready_scene.h"
 #include "x11/app/workbench.h"
+#include "x11/lessons/lesson.h"
 #include "x11/options/window_view.h"
 
 namespace xnewell::THIS_FILE {
@@ -161,13 +162,13 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
       write(rest.substr(0, equals), unescaped(rest.substr(equals + 3)));
     } else if (verb == "folder") {
       std::filesystem::create_directory(rest);
-    } else if (verb == "scene") {
-      scene_ = rest;
+    } else if (verb == "scene" || verb == "lesson") {
+      reader_ = verb, text_ = rest;
     } else if (verb == ":") {
-      std::string text = scene_;
+      std::string text = text_;
       if (const std::size_t at = text.find('@'); at != text.npos) text.replace(at, 1, what);
-      const std::string said = complaint(unescaped(text));
-      EXPECT_TRUE(matches(said, then == "ok" ? "no complaint" : "s.json" + then)) << said;
+      const std::string said = complaintOf(unescaped(text));
+      EXPECT_TRUE(matches(said, then == "ok" ? "" : "a.json" + then)) << said;
     } else if (verb == "?") {
       const std::string said = complaintAll(wordsOf(what));
       EXPECT_TRUE(matches(said, then == "ok" ? "" : then)) << said;
@@ -222,6 +223,18 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
     return window_->copied;
   }
 
+  [[nodiscard]] std::string complaintOf(const std::string& text) const {
+    try {
+      if (reader_ == "scene")
+        (void)parseSceneFile(text, "a.json", XNEWELL_DATA_DIR);
+      else
+        (void)parseLesson(text, "a.json", std::filesystem::path{XNEWELL_DATA_DIR} / "lessons");
+    } catch (const std::exception& e) {
+      return e.what();
+    }
+    return "";
+  }
+
   /// The status, and after a bar the one line with which the program refuses. Then nothing is written.
   void run(const Strings& words, const std::string& then) {
     const std::size_t bar = then.find(" | ");
@@ -250,7 +263,7 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
   }
 
   std::map<std::string, std::string> names_;
-  std::string scene_ = "@";
+  std::string reader_, text_;  ///< of the last line `scene` or `lesson`
   std::unique_ptr<StoryWindow> window_;
   Finished last_;
 };
