@@ -54,14 +54,6 @@ TEST_F(CommandTest, AnInterruptedMeasurementLeavesNothing) {
   }
 }
 
-// A file that cannot be written is an error before anything is measured.
-TEST_F(CommandTest, ErrorsCheckTheirOutputFirst) {
-  const Strings words{"draw", "teapot", "--errors", "-o"};
-  const Finished end = runProgram(words + Strings{file("none/a.png")});
-  EXPECT_EQ(end.status, 1);
-  EXPECT_EQ(end.err, "xnewell: " + file("none/a.png") + ": No such file or directory\n");
-}
-
 // --stats counts doubtful samples only where an order may have any. The number is that of a whole check: for
 // scenes whose faces touch, for exact orders and others.
 TEST_F(CommandTest, StatsCountWhatIsDoubtful) {

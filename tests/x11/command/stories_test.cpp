@@ -12,6 +12,7 @@
 #include "tests/x11/support/parsed_options.h"
 #include "x11/app/ready_scene.h"
 #include "x11/app/workbench.h"
+#include "x11/command/read_lecture.h"
 #include "x11/lessons/lesson.h"
 #include "x11/options/window_view.h"
 
@@ -162,13 +163,13 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
       write(rest.substr(0, equals), unescaped(rest.substr(equals + 3)));
     } else if (verb == "folder") {
       std::filesystem::create_directory(rest);
-    } else if (verb == "scene" || verb == "lesson") {
+    } else if (verb == "scene" || verb == "lesson" || verb == "lecture") {
       reader_ = verb, text_ = rest;
     } else if (verb == ":") {
       std::string text = text_;
       if (const std::size_t at = text.find('@'); at != text.npos) text.replace(at, 1, what);
       const std::string said = complaintOf(unescaped(text));
-      EXPECT_TRUE(matches(said, then == "ok" ? "" : "a.json" + then)) << said;
+      EXPECT_TRUE(matches(said, then == "ok" ? "" : then)) << said;
     } else if (verb == "?") {
       const std::string said = complaintAll(wordsOf(what));
       EXPECT_TRUE(matches(said, then == "ok" ? "" : then)) << said;
@@ -223,14 +224,16 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
     return window_->copied;
   }
 
+  /// Without the name of the file.
   [[nodiscard]] std::string complaintOf(const std::string& text) const {
+    const std::string name = write("a.json", text);
     try {
-      if (reader_ == "scene")
-        (void)parseSceneFile(text, "a.json", XNEWELL_DATA_DIR);
-      else
-        (void)parseLesson(text, "a.json", std::filesystem::path{XNEWELL_DATA_DIR} / "lessons");
+      if (reader_ == "scene") (void)parseSceneFile(text, name, XNEWELL_DATA_DIR);
+      if (reader_ == "lesson") (void)parseLesson(text, name, XNEWELL_DATA_DIR "/lessons");
+      if (reader_ == "lecture") (void)readLecture(name);
     } catch (const std::exception& e) {
-      return e.what();
+      const std::string said = e.what();
+      return said.starts_with(name) ? said.substr(name.size()) : said;
     }
     return "";
   }
@@ -263,7 +266,7 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
   }
 
   std::map<std::string, std::string> names_;
-  std::string reader_, text_;  ///< of the last line `scene` or `lesson`
+  std::string reader_, text_;  ///< of the last line `scene`, `lesson` or `lecture`
   std::unique_ptr<StoryWindow> window_;
   Finished last_;
 };
