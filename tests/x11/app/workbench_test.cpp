@@ -64,6 +64,62 @@ TEST(Workbench, TableChangesEqualAFreshStart) {
         << j;
 }
 
+// Every key of a setting changes what is seen. Undo takes it back exactly, redo brings it again, and reset
+// returns to the start.
+TEST(Workbench, EveryKeyDoesSomethingAndIsUndone) {
+  // With few shades of the corrected table, even a change of the rule that picks a shade can be seen.
+  xnewell::Setup setup;
+  setup.picture.table.kind = TableKind::Corrected, setup.picture.table.shades = 24;
+  ReadyWorkbench b{setup};
+  const auto seen = [&] {
+    b.finish();
+    return std::pair{withoutStatus(b), b.palette()};
+  };
+  const auto start = seen();
+  const auto isUndone = [&](const Key& key, const auto& before) {
+    SCOPED_TRACE(nameOf(key));
+    b.press(key);
+    const auto after = seen();
+    EXPECT_NE(after, before);
+    b.does('u');
+    EXPECT_EQ(seen(), before);
+    b.does('U');
+    EXPECT_EQ(seen(), after);
+    b.does('r');
+    EXPECT_EQ(seen(), before);
+  };
+  for (const char key : std::string{"[]LVSOFPKTHBJ+-"}) isUndone(key, start);
+  for (const char focus : std::string{"ipadncoltz"}) {
+    SCOPED_TRACE(focus);
+    b.does(focus);
+    const auto focused = seen();
+    EXPECT_NE(focused, start);
+    isUndone(NamedKey::Left, focused);
+    isUndone({NamedKey::Up, 0, true}, focused);
+    if (focus == 'l' || focus == 't' || focus == 'z') continue;
+    isUndone(NamedKey::Home, focused);
+    isUndone(NamedKey::End, focused);
+  }
+  b.does('s');
+  EXPECT_EQ(seen(), start);
+  b.does(NamedKey::Tab);
+  EXPECT_NE(seen(), start);
+  b.does({NamedKey::Tab, 0, true});
+  EXPECT_EQ(seen(), start);
+}
+
+// The list of all keys opens with `?` and closes with `?` or Esc. Then the window looks as it did before.
+TEST(Workbench, HelpOpensAndCloses) {
+  ReadyWorkbench b;
+  const IndexImage start = withoutStatus(b);
+  for (const Key close : {Key{'?'}, Key{NamedKey::Escape}}) {
+    b.does('?');
+    EXPECT_NE(withoutStatus(b), start);
+    b.does(close);
+    EXPECT_EQ(withoutStatus(b), start);
+  }
+}
+
 // Drags add up: ten drags of 3 pixels turn the scene like one of 30, whether or not a frame is drawn between
 // them.
 TEST(Workbench, DragsAddUp) {
