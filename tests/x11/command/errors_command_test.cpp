@@ -8,15 +8,6 @@
 
 namespace xnewell::THIS_FILE {
 
-// What can be drawn can be measured, from so near that the eye and the look-at point are almost one.
-TEST_F(CommandTest, ErrorsAreMeasuredFromTheVeryEye) {
-  const Finished end =
-      runProgram({"draw", "nested-cycles", "-o", file("a.png"), "--errors", "--fov", "179.99"});
-  ASSERT_EQ(end.status, 0) << end.err;
-  EXPECT_TRUE(Json::parse(end.out).at("errors").contains("intensity"));
-  EXPECT_TRUE(std::filesystem::exists(file("a.png")));
-}
-
 // One point of the teapot is very far away, so that all others coincide on the screen. The errors are
 // measured, in seconds.
 TEST_F(CommandTest, ErrorsOfATeapotWithOnePointFarAway) {

@@ -255,6 +255,10 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
   /// written.
   void fact(const Strings& words) const {
     const Json all = Json::parse(last_.out);
+    if (words.at(2) == "none") {
+      EXPECT_FALSE(all.contains(Json::json_pointer{words[0]}));
+      return;
+    }
     const Json is = all.at(Json::json_pointer{words.at(0)}), should = Json::parse(words.at(2));
     const char op = words.at(1).at(0);
     if (op == '~') {
