@@ -54,14 +54,6 @@ class ColorsWindowAt : public testing::TestWithParam<int> {
 INSTANTIATE_TEST_SUITE_P(Depths, ColorsWindowAt, testing::ValuesIn(someOf({8, 24}, 1)),
                          testing::PrintToStringParamName());
 
-// Key 3 shows the view just as a snapshot shows it. Key 1 brings the picture back.
-TEST_P(ColorsWindowAt, TabsAreKeys) {
-  EXPECT_NE(picture, colors);
-  enter();
-  window.type("1");
-  EXPECT_TRUE(window.comesToShow(picture, kSeen));
-}
-
 // While h is held the shade is lit, in the picture, the grid and the strip. When h is let go the window is as
 // it was. Keys that the keyboard repeats meanwhile change nothing. A real colormap takes one store for the
 // light and one for its end, and nothing is drawn.
@@ -135,30 +127,6 @@ TEST_P(ColorsWindowAt, TheRampMovesThroughStoresAlone) {
       window.type("1");
     EXPECT_TRUE(window.comesToShow(byEscape ? colors : picture, kSeen));
   }
-}
-
-// Dragging the curve up stores brighter colours, and the small picture's samples become brighter with them.
-// Leaving brings the picture back.
-TEST_P(ColorsWindowAt, DraggingTheCurveBrightensThePicture) {
-  enter();
-  const ColorsLayout at = layoutOfColors(layoutOf(1024, 768).body);
-  const int x = at.stored.x + at.stored.width / 2, y = at.stored.y + at.stored.height - 20;
-  window.moveTo(x, y);
-  window.button(1, true);
-  window.moveTo(x, at.stored.y + 10);
-  window.button(1, false);
-  window.moveTo(500, 15);
-  ASSERT_TRUE(window.settles());
-  const RgbImage bent = window.shown(at.picture), before = cropped(colors, at.picture);
-  int brighter = 0, darker = 0;
-  for (std::size_t k = 0; k < bent.rgb.size(); k += 3) {
-    brighter += bent.rgb[k] > before.rgb[k];
-    darker += bent.rgb[k] < before.rgb[k];
-  }
-  EXPECT_GT(brighter, 5000);
-  EXPECT_EQ(darker, 0);
-  window.type("1");
-  EXPECT_TRUE(window.comesToShow(picture, kSeen));
 }
 
 }  // namespace xnewell::THIS_FILE

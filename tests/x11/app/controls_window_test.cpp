@@ -1,16 +1,12 @@
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "tests/support/seeds.h"
-#include "tests/support/temporary_folder.h"
 #include "tests/x11/support/twin_window.h"
-#include "x11/lessons/lesson.h"
 
 namespace xnewell::THIS_FILE {
 
-// Every control of the picture's view, resizes, lessons and saved set-ups on real servers. Keys and mouse
-// come in as a user's do. The window must show what a workbench without a server shows after the same input.
+// Every control of the picture's view, every key, and resizes on real servers. Keys and mouse come in as a
+// user's do. The window must show what a workbench without a server shows after the same input.
 
 namespace {
 
@@ -167,86 +163,6 @@ TEST_P(ControlsWindowAt, EveryKeyInEveryView) {
     }
     twin.type("1r");
   }
-}
-
-// A lesson is gone through step by step to its end and back. Each step shows the same both times.
-TEST_P(ControlsWindowAt, StepsThereAndBack) {
-  twin.type("e");
-  twin.type("cycle");
-  twin.press(XK_Return, NamedKey::Return);
-  ASSERT_TRUE(twin.agrees());
-  twin.type("2");
-  std::vector<RgbImage> shown;
-  ASSERT_TRUE(twin.agrees());
-  shown.push_back(twin.window.shown(twin.body()));
-  while (true) {
-    twin.press(XK_Right, NamedKey::Right);
-    ASSERT_TRUE(twin.agrees());
-    const RgbImage now = twin.window.shown(twin.body());
-    if (now == shown.back()) break;
-    shown.push_back(now);
-  }
-  EXPECT_GT(shown.size(), 15u);
-  for (std::size_t k = shown.size() - 1; k-- > 0;) {
-    twin.press(XK_Left, NamedKey::Left);
-    ASSERT_TRUE(twin.window.comesToShow(shown[k], twin.body())) << k;
-  }
-}
-
-// Every lesson can be opened from the list and gone through to its end. The test gives the first answer to
-// each question.
-TEST_P(ControlsWindowAt, LessonsRunThrough) {
-  twin.type("7");
-  ASSERT_TRUE(twin.agrees());
-  const auto next = [&] {
-    twin.press(XK_Next, NamedKey::PageDown);
-    return twin.agrees();
-  };
-  twin.press(XK_Return, NamedKey::Return);
-  ASSERT_TRUE(twin.agrees());
-  int steps = 0, answers = 0;
-  for (const LessonEntry& entry : builtInLessons()) {
-    SCOPED_TRACE(entry.name);
-    const Lesson lesson = readLesson(entry.file);
-    EXPECT_NE(twin.same.picture().scene().name.find(lesson.title), std::string::npos);
-    for (const LessonStep& step : lesson.steps) {
-      if (step.question) {
-        twin.type("a");
-        twin.press(XK_Return, NamedKey::Return);
-        ASSERT_TRUE(twin.agrees()) << step.heading;
-        ++answers;
-      }
-      ASSERT_TRUE(next()) << step.heading;
-      ++steps;
-    }
-  }
-  EXPECT_GT(steps, 40);
-  EXPECT_GT(answers, 9);
-  twin.press(XK_Escape, NamedKey::Escape);
-  twin.press(XK_Escape, NamedKey::Escape);
-  ASSERT_TRUE(twin.agrees());
-  EXPECT_EQ(twin.same.view(), WindowView::Picture);
-}
-
-// A changed set-up can be saved with keys. Another run of the program shows it again from the file alone.
-TEST_P(ControlsWindowAt, SavedSetupsReload) {
-  const TemporaryFolder folder;
-  const std::string file = folder.file("kept.json");
-  twin.type("SSNTlV");
-  twin.press(XK_Left, NamedKey::Left, true);
-  twin.type("t");
-  twin.press(XK_Up, NamedKey::Up, true);
-  twin.type("d");
-  twin.press(XK_Left, NamedKey::Left, true);
-  ASSERT_TRUE(twin.agrees());
-  const Rect& at = twin.same.layout().picture;
-  const RgbImage changed = twin.window.shown(at);
-  twin.window.type("w");
-  twin.window.type(file);
-  twin.window.press(XK_Return);
-  ASSERT_TRUE(comesTrue([&] { return std::filesystem::exists(file); }));
-  const WatchedViewer again{twin.server, file, twin.window.id()};
-  EXPECT_TRUE(again.window.comesToShow(changed, at));
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <thread>
 
-#include "geometry/files/parse_error.h"
 #include "tests/x11/support/command_fixture.h"
 #include "tests/x11/support/find_text.h"
 #include "tests/x11/support/ready_workbench.h"
@@ -21,18 +20,6 @@ class LectureTest : public CommandTest {
  protected:
   std::string lecture(const std::string& pages) const {
     return write("lecture.json", "{\"pages\": [" + pages + "]}");
-  }
-  /// What is wrong with a page.
-  std::string wrong(const std::string& page) const {
-    const std::string file = lecture(page);
-    try {
-      (void)readLecture(file);
-    } catch (const std::exception& e) {
-      std::string what = e.what();
-      if (const std::size_t at = what.find("pages"); at != std::string::npos) what.erase(0, at);
-      return what;
-    }
-    return "";
   }
 };
 
@@ -245,49 +232,6 @@ TEST_F(LectureTest, NamesFilesBesideIt) {
   write("mine.obj", kTriangleObj);
   EXPECT_EQ(readLecture(lecture(R"({"title": "Mine", "show": "mine.obj"})")).front().scene.mesh.points.size(),
             3u);
-}
-
-// A mistake on any page is told with its place before anything is shown.
-TEST_F(LectureTest, MistakesAreToldAtOnce) {
-  const std::pair<const char*, const char*> kRows[]{
-      {R"({"show": "teapot"})", "pages[0]: title is needed"},
-      {R"({"title": "", "show": "teapot"})", "pages[0].title: 1 to 60 characters are needed"},
-      {R"({"title": "a"})", "pages[0]: show or lesson is needed"},
-      {R"({"title": "a", "show": "teapot", "lesson": "cycles"})",
-       "pages[0]: show and lesson exclude each other"},
-      {R"({"title": "a", "show": "teapot", "nots": "b"})",
-       "pages[0]: unknown key 'nots'; the keys are title, show, lesson, notes"},
-      {R"({"title": "a", "show": "teapot --shad flat"})", "pages[0].show: unknown option '--shad'"},
-      {R"({"title": "a", "show": "teapot 'oh"})", "pages[0].show: a quotation does not end"},
-      {R"({"title": "a", "show": "teapot --size 9x9"})", "pages[0].show: --size is not for a page"},
-      {R"({"title": "a", "show": "--version"})", "pages[0].show: it shows no scene"},
-      {R"({"title": "a", "show": "teapot --ia 0.9 --ip 0.9"})",
-       "pages[0].show: --ia and --ip: their sum must not exceed 1"},
-      {R"({"title": "a", "show": "teapot --step 3"})",
-       "pages[0].show: --step works only with --view depthsort, --view viewing, --view scanline and lesson"},
-      {R"({"title": "a", "show": "teapot --controls s!"})",
-       "pages[0].show: --controls: 's!' is not the keys of settings in view 1, such as Ssn, or none"},
-      {R"({"title": "a", "show": "teapot --view depthsort --controls s"})",
-       "pages[0].show: --controls names controls of view 1; none puts those of view 1 or 2 away"},
-      {R"({"title": "a", "lesson": "no-such"})",
-       "there is no lesson 'no-such'; `xnewell scenes` lists the lessons"},
-      {R"({"title": "a", "show": "no-such.obj"})", "pages[0].show: no-such.obj: No such file or directory"},
-  };
-  for (const auto& [page, what] : kRows) EXPECT_EQ(wrong(page), what) << page;
-  EXPECT_EQ(wrong(""), "pages: 1 to 200 pages are needed");
-}
-
-// Without a file, and without a server, one line says what is missing.
-TEST_F(LectureTest, NeedsAFileAndAServer) {
-  EXPECT_EQ(runProgram({"lecture"}).err,
-            "xnewell: lecture needs a file, such as my-lecture.json; first-hour comes with the program\n");
-  EXPECT_EQ(runProgram({"lecture", "no-such.json"}).err,
-            "xnewell: no-such.json: No such file or directory\n");
-  EXPECT_EQ(runProgram({"draw", "teapot", "-o", file("a.png"), "--play", "3"}).err,
-            "xnewell: --play works only with lecture\n");
-  const Finished end = runProgram({"lecture", lecture(kThree)});
-  EXPECT_EQ(end.status, 1);
-  EXPECT_NE(end.err.find("DISPLAY is not set"), std::string::npos) << end.err;
 }
 
 // A long title of a page is whole, also in views beside whose names it has no room.

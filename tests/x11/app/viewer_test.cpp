@@ -146,69 +146,6 @@ TEST_P(ViewerAt, CellsAndIndicesChangeInOneFrame) {
   }
 }
 
-// Every key that the help lists changes what is seen. Undo takes it back exactly, redo brings it again, and
-// reset returns to the start.
-TEST_P(ViewerAt, EveryKeyDoesSomethingAndIsUndone) {
-  // With few shades of the corrected table, even a change of the rule that picks a shade can be seen.
-  const std::string line = kTeapot + " --table corrected --shades 24";
-  const RgbImage start = freshWindow(server, line);
-  const WatchedViewer viewer{server, line};
-  const WatchedWindow& window = viewer.window;
-  ASSERT_TRUE(window.comesToShow(start, kSeen));
-
-  const auto isUndone = [&](const RgbImage& before) {
-    ASSERT_TRUE(window.comesToDiffer(before, kSeen));
-    ASSERT_TRUE(window.settles());
-    const RgbImage after = window.shown(kSeen);
-    window.type("u");
-    EXPECT_TRUE(window.comesToShow(before, kSeen));
-    window.type("U");
-    EXPECT_TRUE(window.comesToShow(after, kSeen));
-    window.type("r");
-    EXPECT_TRUE(window.comesToShow(before, kSeen));
-  };
-  for (const char key : std::string{"[]LVSOFPKTHBJ+-"}) {
-    SCOPED_TRACE(key);
-    window.type({&key, 1});
-    isUndone(start);
-  }
-  for (const char focus : std::string{"ipadncoltz"}) {
-    SCOPED_TRACE(focus);
-    window.type({&focus, 1});
-    ASSERT_TRUE(window.comesToDiffer(start, focus == 't' || focus == 'z' ? Rect{0, 0, 1024, 768} : kSeen));
-    ASSERT_TRUE(window.settles());
-    const RgbImage focused = window.shown(kSeen);
-    window.press(XK_Left);
-    isUndone(focused);
-    window.press(XK_Up, true);
-    isUndone(focused);
-    if (focus == 'l' || focus == 't' || focus == 'z') continue;
-    window.press(XK_Home);
-    isUndone(focused);
-    window.press(XK_End);
-    isUndone(focused);
-  }
-  window.type("s");
-  ASSERT_TRUE(window.comesToShow(start, kSeen));
-  window.press(XK_Tab);
-  EXPECT_TRUE(window.comesToDiffer(start, kSeen));
-  window.press(XK_Tab, true);
-  EXPECT_TRUE(window.comesToShow(start, kSeen));
-}
-
-// The overlay of all keys opens with `?` and closes with `?` or Esc. Then the window looks as it did before.
-TEST_P(ViewerAt, HelpOpensAndCloses) {
-  const RgbImage start = freshWindow(server, kTeapot);
-  const WatchedViewer viewer{server, kTeapot};
-  for (const KeySym close : {XK_question, XK_Escape}) {
-    ASSERT_TRUE(viewer.window.comesToShow(start, kSeen));
-    viewer.window.type("?");
-    ASSERT_TRUE(viewer.window.comesToDiffer(start, kSeen));
-    viewer.window.press(close, close == XK_question);
-  }
-  EXPECT_TRUE(viewer.window.comesToShow(start, kSeen));
-}
-
 // Dragging over the picture turns the scene until the button is released, but only if the button went down
 // over the picture. The wheel zooms. Undo takes each of these back.
 TEST_P(ViewerAt, MouseTurnsAndZooms) {
@@ -243,27 +180,6 @@ TEST_P(ViewerAt, MouseTurnsAndZooms) {
     EXPECT_TRUE(window.comesToDiffer(start, kSeen));
     window.type("u");
     EXPECT_TRUE(window.comesToShow(start, kSeen));
-  }
-}
-
-// The same keys show the same window at both depths, after every key.
-TEST(Viewer, ShowsTheSameAtBothDepths) {
-  const XServer eight = serverFor(8), deep = serverFor(24);
-  const WatchedViewer one{eight, kTeapot}, two{deep, kTeapot};
-  const RgbImage fresh = freshWindow(eight, kTeapot);
-  ASSERT_TRUE(one.window.comesToShow(fresh, kSeen) && two.window.comesToShow(fresh, kSeen));
-  RgbImage before;
-  for (const char key : std::string{"TFHOPTKS+]VBHJr"}) {
-    SCOPED_TRACE(key);
-    for (const WatchedViewer* viewer : {&one, &two}) {
-      viewer->window.type({&key, 1});
-      ASSERT_TRUE(viewer->window.settles());
-    }
-    // When the window has settled, the last part of a frame may still be on its way.
-    RgbImage seen;
-    EXPECT_TRUE(comesTrue([&] { return (seen = one.window.shown(kSeen)) == two.window.shown(kSeen); }));
-    EXPECT_TRUE(seen != before || key == 'J' || key == 'B');
-    before = seen;
   }
 }
 

@@ -2,13 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <random>
-#include <span>
 
-#include "shading/color/png.h"
 #include "tests/support/seeds.h"
-#include "tests/support/temporary_folder.h"
 #include "tests/x11/support/find_text.h"
 #include "tests/x11/support/ready_workbench.h"
 
@@ -68,24 +64,60 @@ TEST(Workbench, TableChangesEqualAFreshStart) {
         << j;
 }
 
-// Undo leads back to the start step by step, and redo leads forward again. Reset is a step like any other.
-// Successive changes of one control are one step.
-TEST(Workbench, UndoRedoReset) {
+// Every key of a setting changes what is seen. Undo takes it back exactly, redo brings it again, and reset
+// returns to the start.
+TEST(Workbench, EveryKeyDoesSomethingAndIsUndone) {
+  // With few shades of the corrected table, even a change of the rule that picks a shade can be seen.
+  xnewell::Setup setup;
+  setup.picture.table.kind = TableKind::Corrected, setup.picture.table.shades = 24;
+  ReadyWorkbench b{setup};
+  const auto seen = [&] {
+    b.finish();
+    return std::pair{withoutStatus(b), b.palette()};
+  };
+  const auto start = seen();
+  const auto isUndone = [&](const Key& key, const auto& before) {
+    SCOPED_TRACE(nameOf(key));
+    b.press(key);
+    const auto after = seen();
+    EXPECT_NE(after, before);
+    b.does('u');
+    EXPECT_EQ(seen(), before);
+    b.does('U');
+    EXPECT_EQ(seen(), after);
+    b.does('r');
+    EXPECT_EQ(seen(), before);
+  };
+  for (const char key : std::string{"[]LVSOFPKTHBJ+-"}) isUndone(key, start);
+  for (const char focus : std::string{"ipadncoltz"}) {
+    SCOPED_TRACE(focus);
+    b.does(focus);
+    const auto focused = seen();
+    EXPECT_NE(focused, start);
+    isUndone(NamedKey::Left, focused);
+    isUndone({NamedKey::Up, 0, true}, focused);
+    if (focus == 'l' || focus == 't' || focus == 'z') continue;
+    isUndone(NamedKey::Home, focused);
+    isUndone(NamedKey::End, focused);
+  }
+  b.does('s');
+  EXPECT_EQ(seen(), start);
+  b.does(NamedKey::Tab);
+  EXPECT_NE(seen(), start);
+  b.does({NamedKey::Tab, 0, true});
+  EXPECT_EQ(seen(), start);
+}
+
+// The list of all keys opens with `?` and closes with `?` or Esc. Then the window looks as it did before.
+TEST(Workbench, HelpOpensAndCloses) {
   ReadyWorkbench b;
-  const xnewell::Setup start = b.setup();
-  b.type("OLn");
-  for (int i = 0; i < 5; ++i) b.press({NamedKey::Right});
-  b.drag(30, 10);
-  const xnewell::Setup end = b.setup();
-  EXPECT_NE(end, start);
-  b.type("uuuu");
-  EXPECT_EQ(b.setup(), start);
-  b.type("uuUUUU");
-  EXPECT_EQ(b.setup(), end);
-  b.type("r");
-  EXPECT_EQ(b.setup(), start);
-  b.type("u");
-  EXPECT_EQ(b.setup(), end);
+  const IndexImage start = withoutStatus(b);
+  for (const Key close : {Key{'?'}, Key{NamedKey::Escape}}) {
+    b.does('?');
+    EXPECT_NE(withoutStatus(b), start);
+    b.does(close);
+    EXPECT_EQ(withoutStatus(b), start);
+  }
 }
 
 // Drags add up: ten drags of 3 pixels turn the scene like one of 30, whether or not a frame is drawn between
@@ -195,46 +227,6 @@ TEST(Workbench, OrdersBySampleFillNoPolygons) {
   EXPECT_EQ(b.stale(), Stale::Everything);  // the status line tells why
 }
 
-// A key that has no effect says why: there is nothing to undo yet, or a slider is off. A slider that is off
-// keeps its value under the arrows, Home and End, and the typed line.
-TEST(Workbench, KeysThatDoNothingSayWhy) {
-  ReadyWorkbench b;
-  const xnewell::Setup before = b.setup();
-  for (const std::string letters : {"u", "U", "o>", "oH", "o=5!", "i>"}) {
-    SCOPED_TRACE(letters);
-    for (const char c : letters) {
-      if (c == '>')
-        b.press({NamedKey::Right});
-      else if (c == 'H')
-        b.press({NamedKey::End});
-      else if (c == '!')
-        b.press({NamedKey::Return});
-      else
-        b.type({&c, 1});
-    }
-    b.update();
-    const bool off = letters[0] != 'i';
-    const std::uint8_t alarm = b.plan()[Cell::Alarm];
-    const std::span status{b.image().row(b.layout().status.y), std::size_t{24} * 1024};
-    EXPECT_EQ(std::ranges::find(status, alarm) != status.end(), off);
-    EXPECT_EQ(b.setup() == before, off);
-    EXPECT_EQ(b.view(), WindowView::Picture);
-    b.press({NamedKey::Escape});
-  }
-}
-
-// The first letter typed replaces the text in the line, unless part of that text was deleted first.
-TEST(Workbench, TypingReplacesOrGoesOn) {
-  for (const bool shortened : {false, true}) {
-    ReadyWorkbench b;
-    b.type("d=");  // 0.90
-    if (shortened) b.press({NamedKey::Backspace});
-    b.type(shortened ? "5" : ".5");
-    b.press({NamedKey::Return});
-    EXPECT_EQ(b.setup().picture.light.kd, shortened ? 0.95 : 0.5);
-  }
-}
-
 // As soon as the shading interpolates, the server no longer fills, in any view and whichever way the shading
 // was chosen.
 TEST(Workbench, NoViewLeavesTheServerWhatItCannotFill) {
@@ -257,59 +249,6 @@ TEST(Workbench, NoViewLeavesTheServerWhatItCannotFill) {
       EXPECT_EQ(b.picture().cells().size(), b.picture().snapped().faces.size());
     }
   }
-}
-
-// Controls that have no effect say so, and no others do. The controls of a light that belongs to the scene do
-// not move.
-TEST(Workbench, TellsOfControlsThatDoNothing) {
-  struct Case {
-    std::string scene;
-    Shading shading;
-    std::string keys, idle;  ///< those of the keys that have no effect
-  };
-  for (const Case& c :
-       {Case{"teapot", Shading::Gouraud, "[]HNST", ""}, Case{"teapot", Shading::Flat, "[]HNT", "N"},
-        Case{"spotlight", Shading::Gouraud, "[]N", "[]"},
-        Case{"textured-cube", Shading::Gouraud, "HTJN", "HTJ"},
-        Case{"textured-cube", Shading::Phong, "S", "S"}, Case{"teapot", Shading::Phong, "S", ""},
-        Case{"hues", Shading::Gouraud, "HTN", "H"}})
-    for (const char key : c.keys) {
-      SCOPED_TRACE(c.scene + key);
-      xnewell::Setup setup;
-      setup.picture.shading = c.shading;
-      if (c.scene != "teapot") setup.picture.colors = readScene(c.scene).settings.colors;
-      ReadyWorkbench b{setup, 1024, 768, c.scene};
-      const xnewell::Setup before = b.setup();
-      b.type({&key, 1});
-      b.update();
-      const std::uint8_t alarm = b.plan()[Cell::Alarm];
-      const std::span status{b.image().row(b.layout().status.y), std::size_t{24} * 1024};
-      EXPECT_EQ(std::ranges::find(status, alarm) != status.end(), c.idle.find(key) != std::string::npos);
-      if (c.scene == "spotlight" && key != 'N') {
-        EXPECT_EQ(b.setup(), before);
-      }
-    }
-}
-
-// Opening another scene warns if changes have not been saved.
-TEST(Workbench, OpeningAnotherSceneWarns) {
-  const TemporaryFolder folder;
-  ReadyWorkbench b;
-  const auto say = [&](std::string_view key, std::string_view text) {
-    b.type(key);
-    b.type(text);
-    b.press({NamedKey::Return});
-    b.update();
-  };
-  say("w", folder.file("kept.json"));
-  b.type("N");
-  b.update();
-  const xnewell::Setup changed = b.setup();
-  say("e", "cubes");
-  EXPECT_EQ(b.setup(), changed);
-  b.press({NamedKey::Return});
-  b.update();
-  EXPECT_NE(b.setup(), changed);
 }
 
 // Wrong faces are not counted while the picture is dragged, and are counted afterwards.
@@ -374,44 +313,6 @@ TEST(Workbench, AnyViewsSetupIsACommand) {
     EXPECT_NE(copied[0].find(" --divisions 3 --shade phong -o picture.png"), std::string::npos) << copied[0];
     copied.clear();
   }
-}
-
-// `e` opens what the command line opens, also a picture that carries its set-up.
-TEST(Workbench, OpensAPictureThatCarriesItsSetup) {
-  const TemporaryFolder folder;
-  ReadyWorkbench b;
-  const Palette palette{};
-  const IndexImage image{8, 8, 0};
-  std::ofstream{folder.file("one.png"), std::ios::binary}
-      << encodePng(image, palette, "xnewell draw cubes --size 8x8 --shade phong -o picture.png");
-  b.type("e");
-  for (int k = 0; k < 10; ++k) b.press({NamedKey::Backspace});
-  b.type(folder.file("one.png"));
-  b.does({NamedKey::Return});
-  EXPECT_EQ(b.scene().name, "cubes");
-  EXPECT_EQ(b.setup().picture.shading, Shading::Phong);
-}
-
-// Esc goes back to the view from which one came, once.
-TEST(Workbench, EscGoesBack) {
-  ReadyWorkbench b;
-  b.type("4");
-  b.finish();
-  b.explain(0.5, 0.5);
-  b.finish();
-  ASSERT_EQ(b.view(), WindowView::Pixel);
-  b.does({NamedKey::Escape});
-  EXPECT_EQ(b.view(), WindowView::MachBands);
-  b.does({NamedKey::Escape});
-  EXPECT_EQ(b.view(), WindowView::MachBands);
-}
-
-// A mistake in the equation warns, also in a view that shows little of it.
-TEST(Workbench, AMistakeWarns) {
-  ReadyWorkbench b;
-  b.does('E');
-  ASSERT_NE(b.setup().picture.light.mistake, Mistake::None);
-  EXPECT_TRUE(b.complains());
 }
 
 // No key of the list of all keys runs into the words beside it.

@@ -236,25 +236,6 @@ TEST_F(CommandTest, PaintedIsWhatTheTracePaints) {
   }
 }
 
-// The statistics have what each way to decide costs: a tree its nodes, a z-buffer its tests and its memory.
-TEST_F(CommandTest, StatsHoldTheCostOfTheOrder) {
-  const Json newell = draw("cubes").stats, tree = draw("cubes", {"--order", "bsp"}).stats;
-  EXPECT_EQ(newell["tree_nodes"], 0);
-  EXPECT_EQ(tree["splits"], 0);
-  EXPECT_GT(tree["tree_nodes"], 10);
-  EXPECT_LE(tree["tree_nodes"], tree["polygons"]);
-  EXPECT_GT(tree["tree_depth"], 1);
-  EXPECT_GT(tree["order_bytes"], newell["order_bytes"]);
-  for (const int bits : {16, 24, 32}) {
-    const Json buffer = draw("cubes", {"--order", "zbuffer" + std::to_string(bits)}).stats;
-    const int samples = buffer["size"][0].get<int>() * buffer["size"][1].get<int>();
-    EXPECT_EQ(buffer["order_bytes"], samples * (bits == 16 ? 2 : 4));
-    EXPECT_GT(buffer["depth_tests"], 10'000);
-    EXPECT_EQ(buffer["painted"], 0);
-    EXPECT_EQ(buffer["tree_nodes"], 0);
-  }
-}
-
 // --errors adds the errors to the statistics. With L and V constant they are found, and the worst places say
 // what is wrong there.
 TEST_F(CommandTest, ErrorsAreInTheStatistics) {

@@ -8,15 +8,6 @@
 
 namespace xnewell::THIS_FILE {
 
-// What can be drawn can be measured, from so near that the eye and the look-at point are almost one.
-TEST_F(CommandTest, ErrorsAreMeasuredFromTheVeryEye) {
-  const Finished end =
-      runProgram({"draw", "nested-cycles", "-o", file("a.png"), "--errors", "--fov", "179.99"});
-  ASSERT_EQ(end.status, 0) << end.err;
-  EXPECT_TRUE(Json::parse(end.out).at("errors").contains("intensity"));
-  EXPECT_TRUE(std::filesystem::exists(file("a.png")));
-}
-
 // One point of the teapot is very far away, so that all others coincide on the screen. The errors are
 // measured, in seconds.
 TEST_F(CommandTest, ErrorsOfATeapotWithOnePointFarAway) {
@@ -52,14 +43,6 @@ TEST_F(CommandTest, AnInterruptedMeasurementLeavesNothing) {
       EXPECT_EQ(end.status, 130);
     EXPECT_EQ(end.out.empty(), end.status == 130) << end.status;
   }
-}
-
-// A file that cannot be written is an error before anything is measured.
-TEST_F(CommandTest, ErrorsCheckTheirOutputFirst) {
-  const Strings words{"draw", "teapot", "--errors", "-o"};
-  const Finished end = runProgram(words + Strings{file("none/a.png")});
-  EXPECT_EQ(end.status, 1);
-  EXPECT_EQ(end.err, "xnewell: " + file("none/a.png") + ": No such file or directory\n");
 }
 
 // --stats counts doubtful samples only where an order may have any. The number is that of a whole check: for

@@ -84,21 +84,6 @@ TEST_F(CommandTest, ExplainsColors) {
   }
 }
 
-// The vertices have an intensity where it is computed there, and a face without a name has a number alone.
-TEST_F(CommandTest, ExplainsVerticesAndNames) {
-  const std::string scene =
-      write("triangle.json", R"({"objects":[{"polygons":[[[0,0,0],[1,0,0],[0,1,0]]]}]})");
-  for (const char* method : {"gouraud", "phong"}) {
-    const auto end = runProgram({"explain", scene, "300,350", "--shade", method, "--json"});
-    ASSERT_EQ(end.status, 0) << end.err;
-    const Json e = Json::parse(end.out);
-    EXPECT_EQ(e.at("vertices").size(), 3u);
-    for (const Json& vertex : e.at("vertices"))
-      EXPECT_EQ(vertex.contains("I"), std::string{method} == "gouraud") << vertex;
-    EXPECT_EQ(e.at("history").at(0).at("name"), "0");
-  }
-}
-
 TEST_F(CommandTest, ExplainsAWrongFace) {
   // Somewhere on the way along the spout's foot, the sort by z shows a face that another one hides.
   int wrong = 0;

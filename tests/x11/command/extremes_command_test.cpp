@@ -7,24 +7,6 @@
 
 namespace xnewell::THIS_FILE {
 
-// The table has a line for each way, the chart is a picture, and the JSON has every step.
-TEST_F(CommandTest, ExtremesAreTold) {
-  const Strings words{"extremes", "cycle", "--size", "40x30"};
-  const auto table = runProgram(words + Strings{"-o", file("chart.png")});
-  EXPECT_EQ(table.status, 0) << table.err;
-  for (const char* way : {"scaled up by (powers of two)", "moved by", "eye falls to", "I0 down to"})
-    EXPECT_NE(table.out.find(way), std::string::npos) << way;
-  EXPECT_TRUE(std::filesystem::file_size(file("chart.png")) > 1'000);
-
-  const auto printed = runProgram(words + Strings{"--json"});
-  EXPECT_EQ(printed.status, 0) << printed.err;
-  const auto json = nlohmann::json::parse(printed.out);
-  EXPECT_EQ(json.at("scene"), "cycle");
-  ASSERT_GE(json.at("extremes").size(), 11u);
-  for (const auto& way : json.at("extremes"))
-    for (const auto& step : way.at("steps")) EXPECT_GE(step.at("samples").get<int>(), 0);
-}
-
 // Where numbers are so large that no light can be computed, cells are told wrong, and nothing else happens.
 TEST_F(CommandTest, ExtremesOfAPillarAsLongAsTheWorld) {
   const auto end = runProgram(

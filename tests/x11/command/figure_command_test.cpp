@@ -105,20 +105,4 @@ TEST_F(FigureCommandTest, TellsHowFarColorsAreOff) {
   }
 }
 
-// A figure of each format is a scene: it has the set-up that it was drawn with.
-TEST_F(FigureCommandTest, ReopensAsAScene) {
-  const Strings setup{"cubes", "--size", "96x64", "--shade", "depth", "--eye", "3,2,4"};
-  ASSERT_EQ(runProgram(Strings{"draw"} + setup + Strings{"-o", file("a.png"), "--bare"}).status, 0);
-  for (const std::string name : {"f.svg", "f.pdf", "f.EPS"}) {
-    ASSERT_EQ(runProgram(Strings{"figure"} + setup + Strings{"-o", file(name)}).status, 0);
-    const Finished again = runProgram({"draw", file(name), "-o", file("b.png"), "--bare"});
-    ASSERT_EQ(again.status, 0) << again.err;
-    EXPECT_TRUE(contents(file("a.png")) == contents(file("b.png"))) << name;
-  }
-  const Finished bare =
-      runProgram({"draw", write("g.svg", "<?xml version=\"1.0\"?><svg/>"), "-o", file("c.png")});
-  EXPECT_EQ(bare.status, 2);
-  EXPECT_NE(bare.err.find("the picture carries no set-up"), std::string::npos) << bare.err;
-}
-
 }  // namespace xnewell::THIS_FILE

@@ -52,16 +52,4 @@ TEST_F(ReopenedTest, TakesTheSnapshotAgain) {
   }
 }
 
-// Pictures without a set-up, and files that are no pictures, are refused in one line.
-TEST_F(ReopenedTest, RefusesOtherPictures) {
-  refusedToDraw(file("none.png"), 1, ": No such file or directory");
-  refusedToDraw(write("text.png", "hello"), 2, ": not a PNG file");
-  const std::string bytes = encodePng(IndexImage{3, 2, 7}, Palette{}, "xnewell draw gone.obj -o picture.png");
-  refusedToDraw(write("cut.png", bytes.substr(0, 100)), 2, ": the PNG file ends early");
-  refusedToDraw(write("gone.png", bytes), 2,
-                ": the scene of the set-up that it carries, gone.obj, is not there");
-  refusedToDraw(write("plain.png", encodePng(IndexImage{3, 2, 7}, Palette{})), 2,
-                ": the picture carries no set-up, so it is no scene");
-}
-
 }  // namespace xnewell::THIS_FILE

@@ -4,11 +4,17 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <memory>
 #include <regex>
 
-#include "tests/support/scene_text.h"
+#include "shading/scene/scene_file.h"
 #include "tests/x11/support/command_fixture.h"
 #include "tests/x11/support/parsed_options.h"
+#include "x11/app/ready_scene.h"
+#include "x11/app/workbench.h"
+#include "x11/command/read_lecture.h"
+#include "x11/lessons/lesson.h"
+#include "x11/options/window_view.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -96,6 +102,48 @@ Strings expanded(const std::string& line) {
   return all;
 }
 
+/// A window without a server, and what it says.
+struct StoryWindow : Workbench {
+  static Options optionsOf(const Strings& words) {
+    std::vector<const char*> argv{"xnewell", "view"};
+    for (const std::string& word : words) argv.push_back(word.c_str());
+    return parseOptions(static_cast<int>(argv.size()), argv.data()).value();
+  }
+  explicit StoryWindow(const Strings& words) : StoryWindow{optionsOf(words)} {}
+  explicit StoryWindow(Options options) : StoryWindow{readyScene(options), options} {}
+  StoryWindow(Scene scene, const Options& options)
+      : Workbench{std::move(scene), setupOf(options), {.copy = [this](const std::string& text) {
+                    copied = text.substr(0, text.find_last_not_of('\n') + 1);
+                    copied.erase(0, copied.rfind('\n') + 1);
+                  }}} {
+    const glm::ivec2 size = options.size.value_or(glm::ivec2{1024, 768});
+    resize(size.x, size.y);
+    begin(options, {});
+    finish();
+  }
+  void finish() {
+    for (int k = 0; k < 4 && stale() != Stale::Nothing; ++k) update();
+    EXPECT_EQ(stale(), Stale::Nothing);
+  }
+  /// Keys between blanks: letters, or a name.
+  void presses(const Strings& keys) {
+    static const std::map<std::string, NamedKey> kNames{{"Right", NamedKey::Right},
+                                                        {"End", NamedKey::End},
+                                                        {"Back", NamedKey::Backspace},
+                                                        {"Return", NamedKey::Return},
+                                                        {"Esc", NamedKey::Escape}};
+    for (const std::string& key : keys) {
+      const auto name = kNames.find(key);
+      if (name != kNames.end())
+        press(name->second);
+      else
+        for (const char letter : key) press(letter);
+      finish();
+    }
+  }
+  std::string copied;
+};
+
 class Story : public CommandTest, public testing::WithParamInterface<std::string> {
  protected:
   Story() {
@@ -115,21 +163,18 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
       write(rest.substr(0, equals), unescaped(rest.substr(equals + 3)));
     } else if (verb == "folder") {
       std::filesystem::create_directory(rest);
-    } else if (verb == "scene") {
-      scene_ = rest;
+    } else if (verb == "scene" || verb == "lesson" || verb == "lecture") {
+      reader_ = verb, text_ = rest;
     } else if (verb == ":") {
-      std::string text = scene_;
+      std::string text = text_;
       if (const std::size_t at = text.find('@'); at != text.npos) text.replace(at, 1, what);
-      const std::string said = complaint(unescaped(text));
-      EXPECT_TRUE(matches(said, then == "ok" ? "no complaint" : "s.json" + then)) << said;
+      const std::string said = complaintOf(unescaped(text));
+      EXPECT_TRUE(matches(said, then == "ok" ? "" : then)) << said;
     } else if (verb == "?") {
       const std::string said = complaintAll(wordsOf(what));
       EXPECT_TRUE(matches(said, then == "ok" ? "" : then)) << said;
     } else if (verb == "$") {
       run(wordsOf(what), then);
-    } else if (verb == "out" || verb == "err") {
-      const std::string& said = verb == "out" ? last_.out : last_.err;
-      EXPECT_TRUE(matches(said, rest)) << said;
     } else if (verb == "holds") {
       const std::string text = contents(rest.substr(0, equals));
       EXPECT_TRUE(matches(text, rest.substr(equals + 3))) << text;
@@ -145,9 +190,52 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
       EXPECT_TRUE(first == contents(two.at(1)) && !first.empty());
     } else if (verb == "fact") {
       fact(wordsOf(rest));
+    } else if (verb == "open") {
+      window_ = std::make_unique<StoryWindow>(wordsOf(rest));
+    } else if (verb == "press" && window_) {
+      window_->presses(wordsOf(rest));
+    } else if (verb == "drag" && window_) {  // the picture, from its middle
+      const Rect at = window_->layout().picture;
+      const int x = at.x + at.width / 2, y = at.y + at.height / 2;
+      EXPECT_TRUE(window_->grab(x, y));
+      window_->dragTo(x + std::stoi(rest), y + std::stoi(rest.substr(rest.find(',') + 1)));
+      window_->settle();
+      window_->finish();
+    } else if (const auto text = textOf(verb)) {
+      EXPECT_TRUE(matches(*text, rest == "nothing" ? "" : rest)) << *text;
     } else {
       ADD_FAILURE() << "no line begins with " << verb;
     }
+  }
+
+  /// What a line that begins so compares with its text.
+  std::optional<std::string> textOf(const std::string& verb) {
+    if (verb == "out") return last_.out;
+    if (verb == "err") return last_.err;
+    if (!window_) return {};
+    const PanelState& panel = window_->panel();
+    if (verb == "asks") return panel.typed ? panel.typed->asks : "";
+    if (verb == "warns") return panel.typed ? panel.typed->complaint : panel.notice;
+    if (verb == "view")
+      return std::string{std::ranges::find(kWindowViews, window_->view(), &WindowViewRow::id)->option};
+    if (verb == "status") return panel.status + "   " + panel.aside;
+    if (verb != "setup") return {};
+    window_->press('C');
+    return window_->copied;
+  }
+
+  /// Without the name of the file.
+  [[nodiscard]] std::string complaintOf(const std::string& text) const {
+    const std::string name = write("a.json", text);
+    try {
+      if (reader_ == "scene") (void)parseSceneFile(text, name, XNEWELL_DATA_DIR);
+      if (reader_ == "lesson") (void)parseLesson(text, name, XNEWELL_DATA_DIR "/lessons");
+      if (reader_ == "lecture") (void)readLecture(name);
+    } catch (const std::exception& e) {
+      const std::string said = e.what();
+      return said.starts_with(name) ? said.substr(name.size()) : said;
+    }
+    return "";
   }
 
   /// The status, and after a bar the one line with which the program refuses. Then nothing is written.
@@ -167,6 +255,10 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
   /// written.
   void fact(const Strings& words) const {
     const Json all = Json::parse(last_.out);
+    if (words.at(2) == "none") {
+      EXPECT_FALSE(all.contains(Json::json_pointer{words[0]}));
+      return;
+    }
     const Json is = all.at(Json::json_pointer{words.at(0)}), should = Json::parse(words.at(2));
     const char op = words.at(1).at(0);
     if (op == '~') {
@@ -178,7 +270,8 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
   }
 
   std::map<std::string, std::string> names_;
-  std::string scene_ = "@";
+  std::string reader_, text_;  ///< of the last line `scene`, `lesson` or `lecture`
+  std::unique_ptr<StoryWindow> window_;
   Finished last_;
 };
 

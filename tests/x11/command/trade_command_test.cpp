@@ -60,17 +60,6 @@ TEST_F(CommandTest, EachRowOfATradeCanBeRepeated) {
   }
 }
 
-// The table has each value with its sentence, then the front. The chart is a picture.
-TEST_F(CommandTest, ATradeIsTold) {
-  const auto told = runProgram(tradeOf("cycle") + Strings{"--axes", "shade,order", "-o", file("chart.png")});
-  EXPECT_EQ(told.status, 0) << told.err;
-  for (const char* words :
-       {"as it is", "Gouraud", "unsorted", "more samples show a wrong face.",
-        "On the front:", "xnewell draw cycle --size 60x45 --shade gouraud -o picture.png --errors"})
-    EXPECT_NE(told.out.find(words), std::string::npos) << words << '\n' << told.out;
-  EXPECT_GT(std::filesystem::file_size(file("chart.png")), 1'000u);
-}
-
 // After an interrupt there is a chart of what is known, or it is said that there is none.
 TEST_F(CommandTest, AnInterruptedTradeWritesItsChart) {
   const Strings words{"trade",    kSanitized ? "cubes" : "teapot",
@@ -92,21 +81,6 @@ TEST_F(CommandTest, AnInterruptedTradeWritesItsChart) {
   }
   ASSERT_TRUE(some);
   EXPECT_GT(readPng(file("chart.png")).height, 50);
-}
-
-// If the user chose everything himself, --accuracy still says whether the picture is within the limit.
-TEST_F(CommandTest, AccuracyTellsTheErrorIfNothingIsLeftToChoose) {
-  const Strings words{"draw",   "two-cards", "--size",        "60x40",    "--order", "none",   "--shade",
-                      "flat",   "--table",   "linear",        "--shades", "240",     "--bits", "16",
-                      "--cull", "none",      "--adapt",       "0",        "--i0",    "0.02",   "--pick",
-                      "log",    "-o",        file("new.png"), "--errors"};
-  const auto missed = runProgram(words + Strings{"--accuracy", "0.05"});
-  ASSERT_EQ(missed.status, 0) << missed.err;
-  EXPECT_TRUE(missed.err.starts_with("xnewell: nothing is left to choose. The RMS error is 0."))
-      << missed.err;
-  EXPECT_NE(missed.err.find(" in this view, but 0.05 is allowed.\n"), std::string::npos) << missed.err;
-  const auto kept = runProgram(words + Strings{"--accuracy", "0.9"});
-  EXPECT_NE(kept.err.find(" in this view, and 0.9 is allowed.\n"), std::string::npos) << kept.err;
 }
 
 // --accuracy draws what it chose, says why, and leaves what the user gave.

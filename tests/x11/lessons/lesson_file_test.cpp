@@ -34,12 +34,6 @@ Exhibit exhibitOf(const std::string& more, const std::string& scene = "sticks") 
   return parsed(withStep(more, scene)).steps[0].exhibit;
 }
 
-/// Two answers, of which the second is right. `first` is what the first one has besides its text.
-std::string question(const std::string& first) {
-  return R"("question": {"asks": "q", "answers": [{"text": "a")" + first +
-         R"(}, {"text": "b", "holds": true, "says": "so"}]})";
-}
-
 }  // namespace
 
 TEST(LessonFile, AllThatAreBuiltInCanBeRead) {
@@ -159,96 +153,6 @@ TEST(LessonFile, EveryControlIsKnown) {
     EXPECT_EQ(keys.find(row.id), std::string::npos) << row.name;
     keys += row.id;
   }
-}
-
-TEST(LessonFile, ComplaintsNameThePlace) {
-  EXPECT_EQ(complaintOf("{\n,}"), "l.json:2: not valid JSON here");
-  EXPECT_EQ(complaintOf("{}"), "l.json: title is needed");
-  EXPECT_EQ(complaintOf(R"({"titel": "t"})"),
-            "l.json: unknown key 'titel'; the keys are title, number, shows, steps");
-  EXPECT_EQ(complaintOf(R"({"title": "t", "title": "u"})"),
-            "l.json:1: the key 'title' appears twice in an object");
-  EXPECT_EQ(complaintOf(R"({"title": 3, "steps": []})"), "l.json: title: a string is needed");
-  EXPECT_EQ(complaintOf(R"({"title": "t", "steps": []})"), "l.json: steps: 1 to 12 steps are needed");
-  EXPECT_EQ(complaintOf(R"({"title": "t", "steps": [{}]})"), "l.json: steps[0]: heading is needed");
-  EXPECT_EQ(complaintOf(R"({"title": "t", "steps": [{"heading": "h", "caption": ["c"]}]})"),
-            "l.json: steps[0]: a scene is needed");
-  EXPECT_EQ(complaintOf(R"({"title": "t", "steps": [{"heading": "h", "caption": []}]})"),
-            "l.json: steps[0].caption: a paragraph is needed");
-  EXPECT_EQ(complaintOf(
-                R"({"title": "t", "steps": [{"heading": "abcdefghijklmnopqrstuvwxyza", "caption": ["c"]}]})"),
-            "l.json: steps[0].heading: 1 to 26 characters are needed");
-  EXPECT_EQ(complaintOf(withStep("", "nosuch")),
-            "l.json: steps[0].scene: 'nosuch' is no built-in scene, and no file beside the lesson");
-  EXPECT_TRUE(complaintOf(withStep(R"("colour": 1)"))
-                  .starts_with("l.json: steps[0]: unknown key 'colour'; the keys are "));
-  EXPECT_EQ(complaintOf(withStep(R"("divisions": 0)")),
-            "l.json: steps[0].divisions: a whole number from 1 to 64 is needed");
-  EXPECT_EQ(complaintOf(withStep(R"("window": "trade")")),
-            "l.json: steps[0].window: 'trade' is not one of picture, depth sort, colours, mach bands, side "
-            "by side, scanline, viewing");
-  EXPECT_EQ(complaintOf(withStep(R"("window": "side by side")")),
-            "l.json: steps[0]: side by side needs beside");
-  EXPECT_EQ(complaintOf(withStep(R"("shading": {"order": "zbuffer8"})")),
-            "l.json: steps[0].shading.order: 'zbuffer8' is not one of none, zmean, zsort, newell, bsp, "
-            "zbuffer16, zbuffer24, zbuffer32, oracle");
-  EXPECT_EQ(complaintOf(withStep(R"("camera": {"fov": 200})")),
-            "l.json: steps[0].camera.fov: an angle between 0 and 180 degrees is needed");
-  EXPECT_EQ(complaintOf(withStep(R"("names": {"A": 3})")),
-            "l.json: steps[0].names.A: a whole number from 0 to 2 is needed");
-  EXPECT_EQ(complaintOf(withStep(R"("names": {"ABC": 1})")),
-            "l.json: steps[0].names.ABC: a name of one or two letters is needed");
-  EXPECT_EQ(complaintOf(withStep(R"("extents": true)")),
-            "l.json: steps[0]: extents are those of named faces: names are needed");
-  EXPECT_EQ(complaintOf(withStep(R"("listed": [0, 1])")),
-            "l.json: steps[0].listed: all 3 faces are needed, each once");
-  EXPECT_EQ(complaintOf(withStep(R"("listed": [0, 1, 1])")),
-            "l.json: steps[0].listed[2]: the face is listed twice");
-  EXPECT_EQ(complaintOf(withStep(R"("listed": [0])", "teapot")),
-            "l.json: steps[0].listed: is for scenes of plain polygons");
-  EXPECT_EQ(complaintOf(withStep(R"("wrong": 1)")), "l.json: steps[0].wrong: true or false is needed");
-  EXPECT_EQ(complaintOf(withStep(R"("effects": {"gamma": 0})")),
-            "l.json: steps[0].effects.gamma: a number from 0.1 to 10 is needed");
-  EXPECT_EQ(complaintOf(withStep(R"("effects": {"lit": 256})")),
-            "l.json: steps[0].effects.lit: a whole number from 0 to 255 is needed");
-  EXPECT_EQ(complaintOf(withStep(R"("effects": {"bend": [1]})")),
-            "l.json: steps[0].effects.bend: a cell and its value are needed");
-  EXPECT_EQ(complaintOf(withStep(R"("event": {})")),
-            "l.json: steps[0].event: one of kind and test is needed");
-  EXPECT_EQ(complaintOf(withStep(R"("event": {"kind": "cut", "number": 0})")),
-            "l.json: steps[0].event.number: a whole number from 1 to 1000000 is needed");
-  EXPECT_TRUE(
-      complaintOf(withStep(R"("claims": {"cats": 1})"))
-          .starts_with("l.json: steps[0].claims.cats: there is no such fact; the facts are polygons, "));
-  EXPECT_EQ(complaintOf(withStep(R"("claims": {"cuts": {}})")),
-            "l.json: steps[0].claims.cuts: one of at least and at most is needed");
-  EXPECT_TRUE(
-      complaintOf(withStep(R"("controls": ["fill"])"))
-          .starts_with("l.json: steps[0].controls[0]: 'fill' is not one of shading, normals, order, "));
-  EXPECT_EQ(complaintOf(withStep(R"("controls": ["ks", "ks"])")),
-            "l.json: steps[0].controls[1]: the control is listed twice");
-  EXPECT_EQ(
-      complaintOf(R"({"title": "t", "steps": [{"heading": "h", "caption": ["{cuts"], "scene": "sticks"}]})"),
-      "l.json: steps[0].caption[0]: a { without a }");
-  EXPECT_EQ(complaintOf(withStep(
-                R"("beside": {"shading": {"table": {"kind": "corrected"}}}, "window": "side by side")")),
-            "l.json: steps[0].beside.shading: both pictures are in one colour table");
-}
-
-TEST(LessonFile, ComplaintsOfQuestions) {
-  EXPECT_EQ(complaintOf(withStep(question(R"(, "says": "no", "shown": {})"))), "");
-  EXPECT_EQ(complaintOf(withStep(question(R"(, "says": "no")"))),
-            "l.json: steps[0].question.answers[0]: shown is needed: a wrong answer must be seen to fail");
-  EXPECT_EQ(complaintOf(withStep(question(R"(, "shown": {})"))),
-            "l.json: steps[0].question.answers[0]: says is needed");
-  EXPECT_EQ(complaintOf(withStep(question(R"(, "says": "no", "shown": {"heading": "x"})"))).substr(0, 62),
-            "l.json: steps[0].question.answers[0].shown: unknown key 'headi");
-  EXPECT_EQ(complaintOf(withStep(question(R"(, "says": "no", "holds": true)"))),
-            "l.json: steps[0].question.answers: exactly one answer must hold");
-  EXPECT_EQ(complaintOf(withStep(R"("question": {"asks": "q", "answers": [{"text": "a", "says": "b"}]})")),
-            "l.json: steps[0].question.answers: 2 to 4 answers are needed");
-  EXPECT_EQ(complaintOf(withStep(R"("question": {"asks": "q"})")),
-            "l.json: steps[0].question: answers is needed");
 }
 
 // A file with any bytes changed gives a lesson or a complaint, and never anything else.

@@ -230,13 +230,6 @@ TEST(ScanlineBench, AFlatSurfaceHasNoShortNormals) {
   }
 }
 
-// Where the cells hold colours, the view and the trace say that they have one hue.
-TEST(ScanlineBench, SaysThatItHasOneHue) {
-  ScanlineWindow colored{Shading::Gouraud, "colored-lights"}, red;
-  EXPECT_NE(colored.bench().status().find(kInOneHue), std::string::npos) << colored.bench().status();
-  EXPECT_EQ(red.bench().status().find(kInOneHue), std::string::npos) << red.bench().status();
-}
-
 // The book's lines have the numbers of the step: exactly one runs, those of the row only at its first sample.
 TEST(ScanlineBench, TheBooksLinesRun) {
   ScanlineWindow b;

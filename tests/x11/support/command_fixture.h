@@ -99,13 +99,6 @@ class CommandTest : public testing::Test {
     }
     EXPECT_GT(interrupted, 2);
   }
-  /// The same for drawing a file, both over an old picture and to a new one.
-  void refusedToDraw(const std::string& scene, int status, const std::string& what) const {
-    refused({"draw", scene, "-o", file("old.png"), "--ids", file("ids.png"), "--stats"}, status,
-            scene + what);
-    refused({"draw", scene, "-o", file("new.png")}, status, scene + what);
-  }
-
   struct Drawn {
     Json stats;
     std::string png;

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <glm/geometric.hpp>
-#include <random>
 
 #include "shading/scene/units.h"
 #include "tests/support/model_view.h"
 #include "tests/support/seeds.h"
-#include "tests/support/temporary_folder.h"
 #include "tests/x11/viewing/viewing_window.h"
 #include "x11/drawing/wording.h"
 #include "x11/viewing/view_controls.h"
@@ -43,16 +40,6 @@ TEST(ViewingBench, KeysAndThePointerChooseTheStage) {
   (void)b.grab(table.x + 40, table.y + 30 + 3 * b.places().pitch - 4);
   b.settle();
   EXPECT_EQ(b.viewing().stage(), 3);
-}
-
-// Where nothing of the scene shows, the view says so, and its numbers are numbers.
-TEST(ViewingBench, SaysThatNothingShows) {
-  const TemporaryFolder folder;
-  const std::string scene = folder.file("point.json");
-  std::ofstream{scene} << R"({"objects":[{"polygons":[[[0,0,0],[0,0,0],[0,0,0]]]}]})";
-  ViewingWindow b{scene.c_str()};
-  EXPECT_EQ(b.bench().status(), kNothingShows);
-  for (const double number : numbersOf(b.camera().view)) EXPECT_TRUE(std::isfinite(number));
 }
 
 // A number that is typed becomes that number of the view, and all the others stay, to the last bit after the
@@ -111,23 +98,6 @@ TEST(ViewingBench, AChangeIsSeenEverywhere) {
   EXPECT_NE(b.picture().image(), picture);
 }
 
-// What can be no view is refused with a sentence, and the view stays.
-TEST(ViewingBench, RefusesWhatIsNoView) {
-  for (const auto& [letters, value] : {std::pair{"b", "6.80"}, std::pair{"ppp", "-1"}, std::pair{"o", "50"},
-                                       std::pair{"oo", "-50"}, std::pair{"f", "-4"}}) {
-    ViewingWindow b;
-    if (*letters == 'b') {
-      b.press('f');
-      b.typeValue("2");
-    }
-    const xnewell::Setup before = b.setup();
-    for (const char* c = letters; *c != 0; ++c) b.press(*c);
-    b.typeValue(value);
-    EXPECT_TRUE(b.complains()) << letters;
-    EXPECT_EQ(b.setup(), before) << letters;
-  }
-}
-
 // P keeps all numbers and only projects in parallel; O and a then move PRP so that a line along n is drawn as
 // long as it is, or half as long, at the angle, and still is when the window changes. In perspective they say
 // why they do nothing.
@@ -163,28 +133,6 @@ TEST(ViewingBench, ObliqueProjections) {
   EXPECT_NEAR(glm::length(back.prp - before.prp), 0.0, 1e-12);
   back.prp = before.prp;
   EXPECT_EQ(back, before);
-}
-
-// g goes to a vertex by its name, and says what there is if there is none.
-TEST(ViewingBench, GoesToAVertex) {
-  ViewingWindow b;
-  const auto goTo = [&](const std::string& text) {
-    b.press('g');
-    for (const char c : text) b.press(c);
-    b.press(NamedKey::Return);
-  };
-  goTo("7.2");
-  EXPECT_FALSE(b.isAsking());
-  b.finish();
-  EXPECT_EQ(b.viewing().vertex(), "7.2");
-  EXPECT_EQ(b.bench().aside().find("vertex 7.2 of "), 0u) << b.bench().aside();
-  goTo("7.9");
-  EXPECT_TRUE(b.isAsking());
-  b.press(NamedKey::Escape);
-  goTo("12");
-  b.finish();
-  const FaceCorner vertex = cornerOf(b.scene().mesh, b.viewing().vertex()).value();
-  EXPECT_EQ(b.scene().mesh.face(vertex.face)[vertex.corner], 12);
 }
 
 // A click outside chooses the nearest corner of the face under the pointer, at every stage with a scene; a

@@ -189,24 +189,6 @@ TEST(MachBench, DivisionsAreUndone) {
   EXPECT_EQ(none.setup(), setup);
 }
 
-// If the divisions cannot be changed, it says why.
-TEST(MachBench, SaysWhyNothingIsDivided) {
-  struct Listening : InMachBands {
-    using InMachBands::InMachBands;
-    void notify(std::string notice) override { said = std::move(notice); }
-    std::string said;
-  };
-  const auto said = [](const std::string& scene) {
-    Listening b{scene};
-    b.type("k");
-    b.press(NamedKey::Right);
-    return b.said;
-  };
-  EXPECT_EQ(said("teapot"), "");
-  EXPECT_EQ(said("cycle"), "The scene has no patches to divide.");
-  EXPECT_EQ(said("spotlight"), "The scene's file sets the divisions of all its patches.");
-}
-
 // The method is chosen with its key or by a click. Turning and zooming work as in the picture and leave the
 // scanline alone. A scene of colours is shown in one hue here, and in its own colours in the other views.
 TEST(MachBench, SharesTheSetup) {
