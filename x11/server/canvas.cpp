@@ -5,6 +5,7 @@
 #include <sys/ipc.h>
 #include <sys/shm.h>
 #include <sys/socket.h>
+
 #include <bit>
 #include <cassert>
 #include <cstdint>

@@ -2,6 +2,7 @@
 
 #include <X11/Xlib.h>
 #include <X11/extensions/XShm.h>
+
 #include <cstddef>
 #include <map>
 #include <memory>

@@ -1,6 +1,7 @@
 #include "x11/server/colormap.h"
 
 #include <X11/Xutil.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -31,7 +31,7 @@ TEST_F(CommandTest, ExtremesTellASetUpThatIsWrong) {
   EXPECT_EQ(end.status, 0) << end.err;
   EXPECT_TRUE(end.out.starts_with("The set-up itself is wrong: a face that is not the nearest at "))
       << end.out;
-  EXPECT_NE(end.out.find("1 to 2^900          wrong as the set-up itself, at all values\nscaled down"),
+  EXPECT_NE(end.out.find("1 to 2^900    wrong as the set-up itself, at all values\nscaled down"),
             std::string::npos)
       << end.out;
 }
