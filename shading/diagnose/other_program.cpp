@@ -363,4 +363,178 @@ ShownHere OtherProgram::at(int face, int i, int j) {
   return shown;
 }
 
+/// From an intensity to a cell and to what is stored there, right or with a mistake.
+
+namespace {
+
+double nearestWhole(double v) { return std::floor(v + 0.5); }
+
+}  // namespace
+
+/// The cell before it is rounded, counted from the first; for tables that pick by nearest ratio or by an even
+/// step.
+double OtherProgram::realCell(double I) const {
+  const TableSettings& s = table_.settings();
+  const int last = table_.shades() - 1;
+  const double lnR = std::log(1.0 / s.I0) / last;
+  CellWay way = way_.cell;
+  const bool even = isEven(s.kind);
+  switch (way) {
+    case CellWay::By240:
+      return (last + 1) * I;
+    case CellWay::By255:
+      return 255.0 * I;
+    case CellWay::Even:
+      return last * I;
+    case CellWay::Ratios:
+      return I > 0.0 ? std::max(0.0, std::log(I / s.I0) / lnR) : 0.0;
+    case CellWay::Ratio240:
+      return I > 0.0 ? std::max(0.0, std::log(I / s.I0) / lnR * (last + 1) / last) : 0.0;
+    case CellWay::Ratio64:
+      return I > 0.0 ? std::max(0.0, std::log(I / s.I0) / lnR * 63 / last) : 0.0;
+    case CellWay::NaturalLog:
+      return I > 0.0 ? std::max(0.0, std::log(I / s.I0)) : 0.0;
+    case CellWay::NoI0:
+      return 0.0;
+    case CellWay::NoI0Wraps:
+      return I > 0.0 ? std::log(I) / lnR : 0.0;
+    default:
+      break;
+  }
+  if (even) return last * I;
+  if (I <= s.I0) return 0.0;
+  const double real = std::log(I / s.I0) / lnR;
+  if (s.pick == Pick::Log) return real;
+  const double below = std::floor(real);  // nearest in difference
+  const double low = s.I0 * std::exp(lnR * below), high = s.I0 * std::exp(lnR * (below + 1));
+  return I - low < high - I ? below : below + 1;
+}
+
+int OtherProgram::cellOf(double I) const {
+  const double in = way_.cellWraps ? std::max(0.0, I) : std::clamp(I, 0.0, 1.0);
+  const double real = realCell(in);
+  double cell = table_.first() + (way_.cell == CellWay::Truncated ? std::floor(real) : nearestWhole(real));
+  if (way_.cell == CellWay::OneLess) cell -= 1;
+  if (way_.cell == CellWay::FromZero) cell -= table_.first();
+  if (way_.cellWraps || way_.cell == CellWay::NoI0Wraps)
+    return static_cast<int>(static_cast<long long>(std::clamp(cell, -1e9, 1e9)) & 255);
+  return static_cast<int>(std::clamp(cell, 0.0, 255.0));
+}
+
+/// What shade j holds before it is rounded, 0 to 1.
+double OtherProgram::levelOf(int j) const {
+  const TableSettings& s = table_.settings();
+  const double perStep = way_.store == StoreWay::Ratio240 ? table_.shades() : 63.0;
+  if (way_.store == StoreWay::Ratio240 || way_.store == StoreWay::Ratio64)
+    return std::min(1.0, s.I0 * std::pow(1.0 / s.I0, j / perStep));
+  if (0 <= j && j < table_.shades()) return table_.level(j);
+  if (isEven(s.kind) && table_.shades() == kMaxShades)
+    return std::clamp((table_.first() + j - 10) / 255.0, 0.0, 1.0);
+  return j < 0 ? 0.0 : 1.0;
+}
+
+double OtherProgram::withoutTable(double I) const {
+  const double in = std::clamp(I, 0.0, 1.0);
+  const double value = way_.store == StoreWay::By256     ? std::min(255.0, 256.0 * in)
+                       : way_.store == StoreWay::ByGamma ? 255.0 * std::pow(in, 1.0 / 2.2)
+                                                         : 255.0 * in;
+  return way_.cell == CellWay::Truncated ? std::floor(value) : nearestWhole(value);
+}
+
+double OtherProgram::stored(int cell) const {
+  int j = cell - table_.first();
+  const auto shown = [](double level) { return std::floor(std::floor(65535.0 * level + 0.5) / 256.0); };
+  switch (way_.store) {
+    case StoreWay::Minus11:
+      return std::clamp(cell - 11.0, 0.0, 255.0);
+    case StoreWay::EightIn16:
+      return 0.0;
+    case StoreWay::Rounded8:
+      return nearestWhole(255.0 * levelOf(j));
+    case StoreWay::Gamma:
+      return shown(std::pow(levelOf(j), 1.0 / 2.2));
+    case StoreWay::Backwards:
+      j = table_.shades() - 1 - j;
+      break;
+    default:
+      break;
+  }
+  return table_.settings().bits == 8 ? nearestWhole(255.0 * levelOf(j)) : shown(levelOf(j));
+}
+
+/// Where a sample lies: in which triangle of its face, and on which texel.
+
+/// The corners of the polygon whose triangles count, in order; the first is the apex of the fan. It is the
+/// part that the picture has; along the other diagonal it is the model's own face, which has parts if it is
+/// bent.
+std::vector<int> OtherProgram::fanOf(const SnappedFace& face) const {
+  const SnappedScene& scene = model_.snapped();
+  const Mesh& mesh = model_.mesh();
+  std::vector<int> corners;
+  const int first = mesh.firstCorner[face.number], end = mesh.firstCorner[face.number + 1];
+  if (way_.otherDiagonal && face.count == 3 && end - first == 4)
+    for (int c = first; c < end && model_.onScreen[c]; ++c) corners.push_back(c);
+  if (corners.size() != 4) {
+    corners.clear();
+    for (int k = 0; k < face.count; ++k) corners.push_back(scene.source[face.first + k]);
+    std::ranges::rotate(corners, std::ranges::min_element(corners));
+  }
+  if (way_.otherDiagonal) std::ranges::rotate(corners, corners.begin() + 1);
+  return corners;
+}
+
+OtherProgram::InTriangle OtherProgram::triangle(const SnappedFace& face, int i, int j) const {
+  const std::vector<int> fan = fanOf(face);
+  const glm::dvec2 at{i + 0.5, j + 0.5};
+  InTriangle best;
+  double inside = -1e300;
+  for (std::size_t k = 1; k + 1 < fan.size(); ++k) {
+    const std::array<int, 3> corner{fan[0], fan[k], fan[k + 1]};
+    std::array<double, 3> area{};
+    for (int e = 0; e < 3; ++e) {
+      const glm::dvec2 a = *model_.onScreen[corner[(e + 1) % 3]] - at,
+                       b = *model_.onScreen[corner[(e + 2) % 3]] - at;
+      area[e] = a.x * b.y - a.y * b.x;
+    }
+    const double whole = area[0] + area[1] + area[2];
+    if (whole == 0.0) continue;
+    for (double& a : area) a /= whole;
+    const double least = std::min({area[0], area[1], area[2]});
+    if (least <= inside) continue;
+    inside = least;
+    best.onScreen = area, best.corner = corner;
+    double sum = 0.0;
+    for (int e = 0; e < 3; ++e) {
+      best.inWorld[e] = area[e] / model_.depth(model_.place(corner[e]));
+      sum += best.inWorld[e];
+    }
+    for (double& w : best.inWorld) w /= sum;
+  }
+  return best;
+}
+
+std::optional<glm::ivec2> OtherProgram::texel(const SnappedFace& face, const InTriangle& in) const {
+  const Mesh& mesh = model_.mesh();
+  const int material = mesh.material[face.number];
+  if (material < 0 || mesh.materials[material].texture < 0) return std::nullopt;
+  const Texture& texture = model_.picture().scene().textures[mesh.materials[material].texture];
+  glm::dvec2 uv{0.0};
+  for (int k = 0; k < 3; ++k)
+    uv += (way_.onScreen ? in.onScreen : in.inWorld)[k] * mesh.uv[mesh.uvOfCorner[in.corner[k]]];
+  const double u = uv.x - std::floor(uv.x), v = uv.y - std::floor(uv.y);
+  return glm::ivec2{std::min(static_cast<int>(u * texture.width), texture.width - 1),
+                    std::clamp(static_cast<int>((1.0 - v) * texture.height), 0, texture.height - 1)};
+}
+
+int OtherProgram::texelAt(int face, int i, int j) {
+  const SnappedFace& f = model_.snapped().faces[face];
+  const int material = model_.mesh().material[f.number];
+  if (material < 0 || model_.mesh().materials[material].texture < 0) return -1;
+  const Texture& texture = model_.picture().scene().textures[model_.mesh().materials[material].texture];
+  const auto here = texel(f, triangle(f, i, j));
+  if (!here) return -1;
+  const std::size_t k = static_cast<std::size_t>(here->y) * texture.width + here->x;
+  return texture.channel[0][k] << 16 | texture.channel[1][k] << 8 | texture.channel[2][k];
+}
+
 }  // namespace xnewell

@@ -19,10 +19,10 @@ struct Passage {
   auto operator<=>(const Passage&) const = default;
 };
 
-constexpr int kHalf = kFigureSteps / 2;  ///< where the sample lies in its pixel
+constexpr int kHalfStep = kFigureSteps / 2;  ///< where the sample lies in its pixel
 
 /// The first sample at or after a coordinate.
-int sampleFrom(double at) { return static_cast<int>(std::ceil((at - kHalf) / kFigureSteps)); }
+int sampleFrom(double at) { return static_cast<int>(std::ceil((at - kHalfStep) / kFigureSteps)); }
 
 void addPassages(const FigureLoop& loop, const VectorFigure& figure, std::vector<Passage>& passages) {
   for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -30,7 +30,7 @@ void addPassages(const FigureLoop& loop, const VectorFigure& figure, std::vector
     const auto [high, low] = std::minmax(a.y, b.y);
     const int end = std::min(figure.height, sampleFrom(low));
     for (int row = std::max(0, sampleFrom(high)); row < end; ++row) {
-      const double down = double{kFigureSteps} * row + kHalf - a.y;
+      const double down = double{kFigureSteps} * row + kHalfStep - a.y;
       passages.push_back({row, sampleFrom(a.x + down * (b.x - a.x) / (b.y - a.y)), a.y < b.y ? 1 : -1});
     }
   }
@@ -46,7 +46,7 @@ void paint(const FigureTriangle& triangle, const VectorFigure& figure, std::vect
   const auto [top, bottom] = std::ranges::minmax(at, {}, &glm::dvec2::y);
   for (int j = std::max(0, sampleFrom(top.y)); j < std::min(figure.height, sampleFrom(bottom.y)); ++j)
     for (int i = std::max(0, sampleFrom(left.x)); i < std::min(figure.width, sampleFrom(right.x)); ++i) {
-      const glm::dvec2 sample = glm::dvec2{i, j} * double{kFigureSteps} + double{kHalf};
+      const glm::dvec2 sample = glm::dvec2{i, j} * double{kFigureSteps} + double{kHalfStep};
       std::array<double, 3> w;
       for (int k = 0; k < 3; ++k) w[k] = weights[k](sample);
       if (*std::ranges::min_element(w) < 0) continue;

@@ -1,22 +1,218 @@
 #include "shading/scene/scene_file.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <glm/common.hpp>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "geometry/exact/box.h"
+#include "geometry/exact/scale.h"
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
 #include "geometry/model/bezier.h"
+#include "geometry/view/view.h"
+#include "shading/color/font.h"
 #include "shading/scene/json_node.h"
 #include "shading/scene/json_text.h"
 #include "shading/scene/read_camera.h"
-#include "shading/scene/read_light.h"
 #include "shading/scene/read_objects.h"
 #include "shading/scene/read_shading.h"
-#include "shading/scene/scene_marks.h"
+#include "shading/scene/scene.h"
 
 namespace xnewell {
 
 namespace {
+
+/// ---- Lines and labels
+
+glm::dvec3 colorOf(const Node& node) {
+  return node.has("color") ? node.at("color").color() : glm::dvec3{0.0};
+}
+
+double sizeOf(const Node& node, std::string_view key, double usual) {
+  if (!node.has(key)) return usual;
+  const double size = node.at(key).numberAbove(0);
+  if (size > 1000) node.at(key).fail("at most 1000 pixels are allowed");
+  return size;
+}
+
+/// Reads "lines" and "labels" of a scene file. A file coordinate is a mesh coordinate times 2^exponent.
+/// @throws ParseError
+SceneMarks readMarks(const Node& root, int exponent) {
+  SceneMarks marks;
+  for (int i = 0; root.has("lines") && i < root.at("lines").size(); ++i) {
+    const Node node = root.at("lines").item(i);
+    node.expectKeys({"points", "color", "width"});
+    SceneLine line;
+    for (int k = 0; k < node.at("points").size(); ++k)
+      line.points.push_back(scaled(node.at("points").item(k).point(), -exponent));
+    if (line.points.size() < 2) node.at("points").fail("a line needs at least 2 points");
+    line.color = colorOf(node), line.width = sizeOf(node, "width", line.width);
+    marks.lines.push_back(std::move(line));
+  }
+  for (int i = 0; root.has("labels") && i < root.at("labels").size(); ++i) {
+    const Node node = root.at("labels").item(i);
+    node.expectKeys({"text", "at", "color", "size"});
+    SceneLabel label{node.at("text").text(), scaled(node.at("at").point(), -exponent), colorOf(node), 12};
+    const std::u32string codes = codesOf(label.text);
+    if (codes.empty() || std::ranges::count(codes, U'?') != std::ranges::count(label.text, '?'))
+      node.at("text").fail("a label needs characters of Latin-1, Greek or mathematics");
+    label.size = sizeOf(node, "size", label.size);
+    marks.labels.push_back(std::move(label));
+  }
+  return marks;
+}
+
+/// ---- Light
+
+/// Converts a length in file units, or a power of one, to scene units.
+double scaledTo(const Scene& scene, const Node& node, double v, int power = 1) {
+  v = std::ldexp(v, -power * scene.exponent);
+  if (!std::isfinite(v)) node.fail("too large for the size of the scene");
+  return v;
+}
+
+glm::dvec3 place(const Scene& scene, const Node& node) {
+  glm::dvec3 p = node.point();
+  for (int k = 0; k < 3; ++k) p[k] = scaledTo(scene, node, p[k]);
+  return p;
+}
+
+void readAttenuation(Light& light, const Scene& scene, const Node& node, const Box& box) {
+  Attenuation attenuation = Attenuation::None;
+  std::optional<double> range;
+  std::optional<glm::dvec3> c;
+  if (node.has("attenuation")) attenuation = node.at("attenuation").choice(kAttenuations);
+  if (node.has("range")) {
+    const Node given = node.at("range");
+    if (attenuation != Attenuation::Linear) given.fail("a range applies only to attenuation linear");
+    range = scaledTo(scene, given, given.numberAbove(0));
+  }
+  if (node.has("c")) {
+    const Node given = node.at("c");
+    if (attenuation != Attenuation::Textbook) given.fail("c1, c2 and c3 apply only to attenuation textbook");
+    c = given.point();
+    if (std::min({c->x, c->y, c->z}) < 0.0) given.fail("c1, c2 and c3 must not be negative");
+    c->y = scaledTo(scene, given, c->y, -1);
+    c->z = scaledTo(scene, given, c->z, -2);
+  }
+  attenuate(light, attenuation, range, c, box);
+}
+
+void readCone(Light& light, const Scene& scene, const Node& node, const glm::dvec3& centre) {
+  if (node.has("shines") && node.has("look_at"))
+    node.at("look_at").fail("the spot has both shines and look_at; give one of them");
+  light.direction = (node.has("look_at") ? place(scene, node.at("look_at")) : centre) - light.position;
+  if (node.has("shines")) light.direction = node.at("shines").direction();
+  if (light.direction == glm::dvec3{0.0}) node.fail("the spot points at its own position");
+  // If only one of the two angles is given, the other one gives way to it.
+  if (node.has("inner")) light.inner = node.at("inner").numberFrom(0, 180);
+  if (node.has("outer")) light.outer = node.at("outer").numberFrom(0, 180);
+  if (!node.has("outer")) light.outer = std::max(light.outer, light.inner);
+  if (!node.has("inner")) light.inner = std::min(light.outer, light.inner);
+  if (light.inner > light.outer) node.at("inner").fail("inner must not exceed outer");
+  if (node.has("falloff")) light.falloff = node.at("falloff").whole(0, 1'000'000);
+}
+
+/// Reads one light, except an Ip that the file does not give.
+Light readOne(const Scene& scene, const Node& node, const Box& box) {
+  Light light;
+  if (node.has("kind")) light.kind = node.at("kind").choice(kLights);
+  switch (light.kind) {
+    case LightKind::Directional:
+      node.expectKeys({"kind", "color", "Ip", "towards"});
+      light.direction = node.has("towards") ? node.at("towards").direction() : defaultLight(scene.up);
+      break;
+    case LightKind::Point:
+      node.expectKeys({"kind", "color", "Ip", "at", "attenuation", "range", "c"});
+      break;
+    case LightKind::Spot:
+      node.expectKeys({"kind", "color", "Ip", "at", "attenuation", "range", "c"},
+                      {"shines", "look_at", "inner", "outer", "falloff"});
+      break;
+  }
+  if (node.has("color") && node.has("Ip"))
+    node.at("Ip").fail("the light has both color and Ip; give one of them");
+  for (const char* key : {"color", "Ip"})
+    if (node.has(key)) light.Ip = node.at(key).grayOrColor();
+  if (light.kind == LightKind::Directional) return light;
+
+  if (!node.has("at")) node.fail("at is missing: the position of the light");
+  light.position = place(scene, node.at("at"));
+  readAttenuation(light, scene, node, box);
+  if (light.kind == LightKind::Spot) readCone(light, scene, node, box.centre());
+  return light;
+}
+
+void check(const glm::dvec3& sum, const Node& node) {
+  constexpr std::array kChannelNames{"red", "green", "blue"};
+  for (int c = 0; c < 3; ++c)
+    if (sum[c] > kMostLight) {
+      std::array<char, 32> text;
+      std::snprintf(text.data(), text.size(), "%.6g", sum[c]);
+      node.fail(std::string{"Ia + the sum of Ip is "} + text.data() + " in " + kChannelNames[c] +
+                "; it must not exceed 1");
+    }
+}
+
+/// Refuses a light that is given twice. If "ambient" or "lights" are given, the one light of "shading" would
+/// have no effect, and nobody should have to guess which one counts.
+void expectOnce(const Scene& scene, const Node& root) {
+  if (!root.has("shading")) return;
+  const Node shading = root.at("shading");
+  if (scene.light.Ia && shading.has("Ia"))
+    shading.at("Ia").fail("the ambient light is given twice: here and in ambient");
+  for (const char* key : {"light", "light_at"})
+    if (!scene.light.lights.empty() && shading.has(key))
+      shading.at(key).fail("the light is given twice: here and in lights");
+  if (scene.light.placed() && shading.has("attenuation"))
+    shading.at("attenuation").fail(std::string{kOwnAttenuation});
+}
+
+/// Reads "ambient" and "lights" of a scene file (scene_file.h) into scene units. Ia + the sum of Ip must not
+/// exceed 1; if the scene's own light leaves less than the Ia and Ip of scene.settings, these are lowered to
+/// fit. @throws ParseError
+void readLight(Scene& scene, const Node& root) {
+  Illumination& user = scene.settings.light;
+  if (root.has("ambient")) scene.light.Ia = root.at("ambient").grayOrColor();
+  glm::dvec3 sum = scene.light.Ia.value_or(glm::dvec3{0.0});
+  if (root.has("lights")) {
+    const Node lights = root.at("lights");
+    if (lights.size() == 0)
+      lights.fail("at least one light is needed; for a scene without lights, set Ip to 0 in shading");
+    const Box box = boxOf(scene.mesh.points);
+    std::vector<int> unsaid;
+    for (int k = 0; k < lights.size(); ++k) {
+      const Node node = lights.item(k);
+      scene.light.lights.push_back(readOne(scene, node, box));
+      if (node.has("Ip") || node.has("color"))
+        sum += scene.light.lights.back().Ip;
+      else
+        unsaid.push_back(k);
+    }
+    // Lights without an Ip share what the others leave, but together at most the Ip of the user's light.
+    const double taken = largest(sum) + (scene.light.Ia ? 0.0 : user.Ia);
+    const double left = std::clamp(1.0 - taken, 0.0, user.Ip);
+    for (const int k : unsaid) {
+      scene.light.lights[k].Ip = glm::dvec3{left / static_cast<double>(unsaid.size())};
+      sum += scene.light.lights[k].Ip;
+    }
+  }
+  expectOnce(scene, root);
+  check(sum, root);
+  const auto checkWith = [&](const char* key, double I) {
+    if (root.has("shading") && root.at("shading").has(key)) check(sum + I, root.at("shading").at(key));
+  };
+  if (!scene.light.Ia) checkWith("Ia", user.Ia);
+  if (scene.light.lights.empty()) checkWith("Ip", user.Ip);
+  if (!scene.light.Ia) user.Ia = std::clamp(1.0 - largest(sum), 0.0, user.Ia);
+  if (scene.light.lights.empty()) user.Ip = std::clamp(1.0 - largest(sum), 0.0, user.Ip);
+}
 
 /// Reads the scene of a set-up. Such a file names another scene instead of listing its own objects.
 Scene otherScene(const Node& root, const std::filesystem::path& folder, int divisions) {

@@ -7,7 +7,7 @@
 
 #include "shading/scene/settings.h"
 #include "x11/kit/one_line.h"
-#include "x11/terminal/doing.h"
+#include "x11/terminal/terminal.h"
 
 namespace xnewell {
 

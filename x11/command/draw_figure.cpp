@@ -15,7 +15,7 @@
 #include "x11/command/commands.h"
 #include "x11/command/report.h"
 #include "x11/options/carried_setup.h"
-#include "x11/terminal/doing.h"
+#include "x11/terminal/terminal.h"
 
 namespace xnewell {
 

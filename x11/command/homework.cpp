@@ -21,8 +21,7 @@
 #include "x11/homework/reports.h"
 #include "x11/lessons/lesson.h"
 #include "x11/options/exit_status.h"
-#include "x11/terminal/doing.h"
-#include "x11/terminal/interrupt.h"
+#include "x11/terminal/terminal.h"
 
 namespace xnewell {
 

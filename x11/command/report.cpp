@@ -11,7 +11,7 @@
 #include "shading/laboratory/exactness.h"
 #include "shading/picture/required.h"
 #include "shading/scene/divide_anew.h"
-#include "x11/terminal/doing.h"
+#include "x11/terminal/terminal.h"
 #include "x11/window/moot.h"
 
 namespace xnewell {

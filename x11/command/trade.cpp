@@ -14,8 +14,7 @@
 #include "x11/drawing/wording.h"
 #include "x11/options/exit_status.h"
 #include "x11/options/setup_command.h"
-#include "x11/terminal/doing.h"
-#include "x11/terminal/interrupt.h"
+#include "x11/terminal/terminal.h"
 #include "x11/views/trade_chart.h"
 
 namespace xnewell {

@@ -1,10 +1,15 @@
 #include "x11/lessons/lesson_bench.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <utility>
 
 #include "geometry/exact/box.h"
+#include "geometry/files/output_file.h"
 #include "shading/scene/units.h"
 #include "x11/drawing/wording.h"
+#include "x11/homework/answer_file.h"
+#include "x11/kit/score.h"
 #include "x11/lessons/lesson_facts.h"
 #include "x11/lessons/lesson_sight.h"
 
@@ -450,6 +455,34 @@ void LessonList::draw(Pen& pen, const Layout& at, ControlList& places, const Les
     pen.soft(row.x + 48, y + (pitch < 26 ? 12 : close ? 13 : at.compact ? 14 : 17), lesson.shows);
   }
   drawn_ = chosen_;
+}
+
+void KeptAnswers::keepIn(const std::string& file) {
+  file_ = file;
+  if (!std::filesystem::exists(file)) return;
+  for (AnsweredQuestion& one : readAnswers(file))
+    lessons_[one.lesson][one.step - 1] = {.tries = std::move(one.tries), .right = one.right};
+}
+
+void KeptAnswers::add(const Lesson& lesson, int step, int answer) {
+  const auto& answers = lesson.steps[static_cast<std::size_t>(step)].question->answers;
+  const auto right = std::ranges::find(answers, true, &LessonAnswer::holds) - answers.begin();
+  Question& question = lessons_[lesson.name][step];
+  question.tries.push_back(answer);
+  question.right = static_cast<int>(right);
+  if (file_.empty()) return;
+  std::vector<AnsweredQuestion> all;
+  for (const auto& [name, steps] : lessons_)
+    for (const auto& [number, kept] : steps) all.push_back({name, number + 1, kept.tries, kept.right});
+  rewriteFile(file_, answersText(all));
+}
+
+std::string KeptAnswers::score(const std::string& lesson) const {
+  const auto found = lessons_.find(lesson);
+  if (found == lessons_.end()) return "";
+  Score score;
+  for (const auto& [step, question] : found->second) score.add(question.tries.front() == question.right);
+  return score.inWords();
 }
 
 }  // namespace xnewell

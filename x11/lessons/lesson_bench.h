@@ -2,12 +2,12 @@
 
 #include <functional>
 #include <glm/vec2.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "x11/kit/control_list.h"
-#include "x11/lessons/kept_answers.h"
 #include "x11/lessons/lesson.h"
 #include "x11/lessons/lesson_page.h"
 #include "x11/window/bench.h"
@@ -15,6 +15,30 @@
 #include "x11/window/setting_controls.h"
 
 namespace xnewell {
+
+/// What a student answered in lessons, for himself and for his teacher, in a file (answer_file.h).
+class KeptAnswers {
+ public:
+  /// From now on each answer is written to this file. What it holds already is kept.
+  /// @throws ParseError, std::system_error
+  void keepIn(const std::string& file);
+
+  /// @throws std::system_error if the file cannot be written
+  void add(const Lesson& lesson, int step, int answer);
+
+  /// "2 of 3 right at the first try"; "" if no question of the lesson was answered.
+  [[nodiscard]] std::string score(const std::string& lesson) const;
+
+ private:
+  struct Question {
+    std::vector<int> tries;
+    int right;
+  };
+  using Steps = std::map<int, Question>;  ///< from 0
+
+  std::map<std::string, Steps> lessons_;
+  std::string file_;
+};
 
 /// The list of all lessons. The arrows choose one; Return or a click opens it.
 class LessonList {

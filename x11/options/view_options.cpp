@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -109,6 +110,116 @@ void addView(Reader& r, Options& o) {
       .only({"--view sidebyside"});
   r.choice("--difference", kUnlikes, o.window.difference, "what --view sidebyside compares")
       .only({"--view sidebyside"});
+}
+
+namespace {
+
+struct ObliqueRow {
+  std::string_view name;
+  double length;
+};
+constexpr std::array kObliques{ObliqueRow{"cavalier", 1.0}, ObliqueRow{"cabinet", 0.5}};
+
+Oblique parseOblique(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const auto* const row = std::ranges::find(kObliques, text.substr(0, colon), &ObliqueRow::name);
+  if (row == kObliques.end()) refuse("--oblique", text, "cavalier or cabinet, optionally followed by :ANGLE");
+  Oblique oblique{.length = row->length};
+  if (colon != std::string::npos)
+    oblique.angle = numbers("--oblique", text.substr(colon + 1), 1, "an angle in degrees")[0];
+  return oblique;
+}
+
+}  // namespace
+
+std::string textOf(const Oblique& oblique) {
+  const auto* const row = std::ranges::find(kObliques, oblique.length, &ObliqueRow::length);
+  return std::string{row->name} + ':' + textOf(oblique.angle);
+}
+
+void addCamera(Reader& r, CameraSettings& camera) {
+  r.point("--eye", "where the eye is, x,y,z in the world", "where the whole scene fits",
+          [&](glm::dvec3 p) { camera.eye = p; });
+  r.point("--look-at", "the point that the eye looks at", "the scene's centre",
+          [&](glm::dvec3 p) { camera.lookAt = p; });
+  r.point("--up", "the up direction", "z for .bpt, y for .obj, .ply and .off",
+          [&](glm::dvec3 p) { camera.up = p; });
+  r.text("--fov", "perspective with this vertical field of view, degrees", "30",
+         [&](const std::string& text) {
+           camera.fov = numbers("--fov", text, 1, "an angle between 0 and 180 degrees")[0];
+           if (!(*camera.fov > 0 && *camera.fov < 180))
+             refuse("--fov", text, "an angle between 0 and 180 degrees");
+         });
+  r.text("--parallel", "parallel projection; the picture's height in world units", "",
+         [&](const std::string& text) {
+           camera.height = numbers("--parallel", text, 1, "a height above 0")[0];
+           if (!(*camera.height > 0)) refuse("--parallel", text, "a height above 0");
+           camera.parallel = true;
+         });
+  r.text("--oblique", "oblique projection: cavalier or cabinet, optionally followed by :ANGLE", "angle 45",
+         [&](const std::string& text) { camera.oblique = parseOblique(text); })
+      .proposes(kObliques);
+  r.point("--vrp", "the textbook's view reference point", "the look-at point",
+          [&](glm::dvec3 p) { camera.vrp = p; });
+  r.point("--vpn", "view plane normal", "from the reference point to the eye",
+          [&](glm::dvec3 p) { camera.vpn = p; });
+  r.point("--vup", "view up vector", "up", [&](glm::dvec3 p) { camera.vup = p; });
+  r.point("--prp", "projection reference point, in viewing coordinates", "the eye",
+          [&](glm::dvec3 p) { camera.prp = p; });
+  r.text("--view-window",
+         "window umin,umax,vmin,vmax on the view plane; it overrides the height of --parallel", "",
+         [&](const std::string& text) {
+           const auto v = numbers("--view-window", text, 4, "four finite numbers umin,umax,vmin,vmax");
+           camera.window = {v[0], v[1], v[2], v[3]};
+         });
+  const auto plane = [&](const char* name, const char* help, const char* initially,
+                         std::optional<double>& n) {
+    r.text(name, help, initially,
+           [name, &n](const std::string& text) { n = numbers(name, text, 1, "a finite number")[0]; });
+  };
+  plane("--front", "n of the front clipping plane", "just before the eye", camera.front);
+  plane("--back", "n of the back clipping plane", "behind the scene", camera.back);
+}
+
+void addEffects(Reader& r, Options& o) {
+  const auto cell = [](const std::string& option, const std::string& text) {
+    const std::string expected = "a cell, a whole number from 0 to 255";
+    const double v = numbers(option, text, 1, expected)[0];
+    if (v < 0 || v > 255 || v != std::floor(v)) refuse(option, text, expected);
+    return static_cast<int>(v);
+  };
+  r.text("--cell", "the cell that --view colours inspects", "the middle one of the cells that polygons use",
+         [&o, cell](const std::string& s) { o.window.cell = cell("--cell", s); })
+      .only({"--view colours"});
+  const auto drawn = {std::string_view{"draw"}, std::string_view{"snapshot"}};
+  std::string tables;
+  for (const TableRow& row : kTables) tables += (tables.empty() ? "" : ", ") + std::string{row.name};
+  r.text("--store", "keep the indices that --table picks, but store the colours of this table: " + tables, "",
+         [&o, tables](const std::string& s) {
+           const auto row = std::ranges::find(kTables, s, &TableRow::name);
+           if (row == kTables.end()) refuse("--store", s, "one of " + tables);
+           o.effects.stored = row->id;
+         })
+      .proposes(kTables)
+      .only(drawn);
+  r.number("--turn", o.effects.hueTurn, -360, 360, "turn the hue of all stored colours by degrees")
+      .only(drawn);
+  r.number("--gamma", o.effects.gamma, kLeastGamma, kMostGamma,
+           "store v^(1/gamma) for v, for a screen that shows v^gamma")
+      .only(drawn);
+  r.text("--bend", "CELL,VALUE: bend the curve of stored values so that this cell holds VALUE of 255", "",
+         [&o, cell](const std::string& s) {
+           const std::string expected = "CELL,VALUE with a value from 0 to 255";
+           const auto v = numbers("--bend", s, 2, expected);
+           if (v[1] < 0 || v[1] > 255) refuse("--bend", s, expected);
+           o.effects.bend = CurvePoint{cell("--bend", s.substr(0, s.find(','))), v[1]};
+         })
+      .only(drawn);
+  r.number("--rotate", o.effects.rotate, -255, 255, "move the stored colours up the ramp by this many cells")
+      .only(drawn);
+  r.text("--lit", "store yellow in this cell, to show which polygons have this shade", "",
+         [&o, cell](const std::string& s) { o.effects.lit = cell("--lit", s); })
+      .only(drawn);
 }
 
 }  // namespace xnewell

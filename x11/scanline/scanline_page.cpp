@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
-#include "x11/scanline/scanline_code.h"
 #include "x11/scanline/scanline_pen.h"
+#include "x11/scanline/scanline_words.h"
 
 namespace xnewell {
 
@@ -234,6 +235,157 @@ void drawScanlinePage(Pen& plain, const ScanlineLayout& at, const ScanlinePage& 
                          Lane{"shades", run.marks(ScanMark::Shade), Cell::Ink, true},
                          Lane{"differs", run.marks(ScanMark::Differs), Cell::Alarm, true}};
   drawTimeline(pen, at, state, lanes);
+}
+
+namespace {
+
+/// What the lines call the value, its increment, and what a pixel gets.
+struct Named {
+  std::string value, paints;
+};
+Named namedOf(const ScanlineRun& run) {
+  if (run.hasNormals()) return {"N", "the equation's cell at N / |N|"};
+  if (run.isTextured()) return {"u/w, v/w, 1/w", "the texel at u, v"};
+  if (run.stepsValues()) return {"V", "the cell of V"};
+  return {"place", "the map's cell at the place"};
+}
+
+}  // namespace
+
+std::vector<CodeLine> scanlineCode(const ScanlineRun& run, int step) {
+  const bool constant = run.isConstant();
+  const Named names = constant ? Named{"", "the polygon's cell"} : namedOf(run);
+  std::vector<CodeLine> lines;
+  const bool begun = step > 0;
+  const ScanSample* const sample = begun ? &run.samples()[static_cast<std::size_t>(step - 1)] : nullptr;
+  const bool newRow =
+      begun && (step == 1 || run.samples()[static_cast<std::size_t>(step - 2)].span != sample->span ||
+                run.samples()[static_cast<std::size_t>(step - 2)].part != sample->part);
+  const std::vector<SpanLine> span = begun ? spanLines(run, *sample) : std::vector<SpanLine>{};
+  enum class When { Row, Pixel, Never };
+  const auto add = [&](std::string text, When when, std::string values = {}) {
+    const bool ran = begun && (when == When::Row ? newRow : when == When::Pixel ? !newRow : false);
+    lines.push_back({std::move(text), ran ? CodeLine::Ran::Before : CodeLine::Ran::Never,
+                     begun ? std::move(values) : std::string{}});
+  };
+  const auto last = [](const SpanLine& line) {
+    return line.numbers.empty() ? std::string{} : line.numbers.back();
+  };
+  const bool one = run.stepsValues();  // one number, which has room
+  const auto V = [&](const ScanSample& of) { return steppedText(of.stepped, 4); };
+  const auto firstOfRow = [&] {
+    return *std::ranges::find_if(
+        run.samples(), [&](const ScanSample& s) { return s.part == sample->part && s.span == sample->span; });
+  };
+  add("for each row y, from top to bottom", When::Row,
+      begun ? "y = " + std::to_string(run.spanOf(*sample).row) : "");
+  const std::vector<EdgeLine> edges = begun ? edgeLines(run, *sample) : std::vector<EdgeLine>{};
+  const auto ifBegun = [&](const auto& words) { return begun ? words() : std::string{}; };
+  add("  take up edges that begin, drop those that end", When::Row,
+      ifBegun([&] { return edges[0].name + ", " + edges[1].name; }));
+  add("  xL, xR: where they cross y + 1/2", When::Row, ifBegun([&] { return span[0].x + ", " + span[1].x; }));
+  if (!constant) {
+    add("  " + names.value + " at both: linear along the edges", When::Row,
+        ifBegun([&] { return one ? last(span[0]) + ", " + last(span[1]) : ""; }));
+    add("  d = (right - left) / (xR - xL)", When::Row, ifBegun([&] { return one ? last(span[2]) : ""; }));
+  }
+  add("  x = the first sample at xL or after", When::Row, ifBegun([&] { return span[3].x; }));
+  if (!constant)
+    add("  " + names.value + " there: left + (x - xL) d", When::Row,
+        ifBegun([&] { return one ? V(firstOfRow()) : ""; }));
+  add("  while x is before xR", When::Pixel, begun ? "x = " + span[4].x : "");
+  add("    paint " + names.paints, When::Never, begun ? "cell " + std::to_string(sample->steppedCell) : "");
+  lines.back().ran = begun ? CodeLine::Ran::Now : CodeLine::Ran::Never;
+  add(constant ? "    x = x + 1" : "    x = x + 1, " + names.value + " = " + names.value + " + d",
+      When::Pixel, one && begun ? V(*sample) : "");
+  add("  each edge: x = x + dx", When::Row);
+  if (!begun) lines.front().ran = CodeLine::Ran::Now;
+  return lines;
+}
+
+namespace {
+
+constexpr int kGutter = 16, kNarrowBelow = 900, kNumbers = 32;  // of the rows, left of the grid
+constexpr int kLeastSide = 6, kMostSide = 24;
+
+int leftWidth(const Rect& body) { return (body.width + kGutter) * 14 / 24 - kGutter; }
+
+/// The grid and the charts in an area; their heights are shares of `upper`.
+void placeGrid(ScanlineLayout& at, const Rect& area, int upper, bool compact) {
+  const int labels = compact ? 16 : 22, value = upper / (compact ? 13 : 12), between = compact ? 8 : 14,
+            drift = upper / 20, above = compact ? 6 : 10;
+  at.grid = {area.x + kNumbers, area.y, area.width - kNumbers,
+             area.height - (labels + value + between + drift + above)};
+  at.value = {at.grid.x, at.grid.y + at.grid.height + labels, at.grid.width, value};
+  at.drift = {at.grid.x, at.value.y + value + between, at.grid.width, drift};
+}
+
+}  // namespace
+
+ScanlineLayout layoutOfScanline(const Rect& body) {
+  static const std::vector<std::string> kinds = [] {
+    std::vector<std::string> names;
+    for (const ScanMarkRow& row : kScanMarks) names.emplace_back(row.name);
+    return names;
+  }();
+  ScanlineLayout at;
+  const bool compact = body.height < kCompactBelow;
+  static_cast<TransportLayout&>(at) = layoutOfTransport(body, compact, body.width < kNarrowBelow, kinds);
+  at.body = body;
+  const int upper = at.rule - body.y - (compact ? 4 : 8), left = leftWidth(body);
+  at.line = std::clamp(upper / 29, 13, 24);
+  const int findings = 3 * std::min(at.line, 17) + 4;
+  const Rect charts{body.x, body.y, left, upper - findings};
+  placeGrid(at, charts, upper, compact);
+  const int y = at.drift.y + at.drift.height + (compact ? 6 : 10);
+  at.finding = {body.x, y, left, findings};
+  const int right = body.x + left + kGutter;
+  at.column = {right, body.y, body.x + body.width - right, upper};
+  const int wide = at.column.width * 3 / 8;
+  const int spare = std::max(0, upper - 29 * at.line);
+  at.overview = {at.column.x + at.column.width - wide, body.y, wide,
+                 (compact ? 5 : 6) * at.line + 2 + spare / 2};
+  at.choices = at.column.y + at.column.height - 5;
+  return at;
+}
+
+ScanlineLayout layoutOfScanlineSight(const Rect& area) {
+  ScanlineLayout at;
+  placeGrid(at, area, 340, /*compact=*/true);
+  return at;
+}
+
+Rect scanlinePicture(const Rect& body) {
+  const ScanlineLayout at = layoutOfScanline(body);
+  return {at.grid.x - kNumbers, at.grid.y, at.grid.width + kNumbers, at.grid.height};
+}
+
+GridWindow gridWindow(const Rect& grid, const ScanlineRun& run, int step) {
+  glm::ivec2 low{1 << 30}, high{-(1 << 30)};
+  for (const ScanPart& part : run.parts())
+    for (const glm::ivec3& v : part.outline)
+      low = glm::min(low, glm::ivec2{v} / kGrid), high = glm::max(high, glm::ivec2{v} / kGrid + 1);
+  const glm::ivec2 wide = high - low + 4;  // two pixels on all sides
+  GridWindow window;
+  window.side = std::clamp(std::min(grid.width / wide.x, grid.height / wide.y), kLeastSide, kMostSide);
+  window.columns = grid.width / window.side, window.rows = grid.height / window.side;
+  glm::ivec2 middle = (low + high) / 2;
+  if (step > 0) {
+    const ScanSample& sample = run.samples()[static_cast<std::size_t>(step - 1)];
+    if (wide.x > window.columns) middle.x = sample.column;
+    if (wide.y > window.rows) middle.y = run.spanOf(sample).row;
+  } else if (!run.samples().empty()) {
+    if (wide.x > window.columns) middle.x = run.samples().front().column;
+    if (wide.y > window.rows) middle.y = run.spanOf(run.samples().front()).row;
+  }
+  window.column = middle.x - window.columns / 2, window.row = middle.y - window.rows / 2;
+  return window;
+}
+
+int overviewScale(const Rect& overview, const IndexImage& image, int unit) {
+  const auto times = [](int pixels, int room) { return (pixels + room - 1) / std::max(1, room); };
+  return std::max(
+      {1, times(image.width, overview.width * unit), times(image.height, overview.height * unit)});
 }
 
 }  // namespace xnewell

@@ -2,8 +2,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "shading/color/palette.h"
+#include "shading/explain/scanline_run.h"
+#include "x11/kit/pseudocode.h"
 #include "x11/kit/score.h"
 #include "x11/kit/transport.h"
 #include "x11/scanline/scanline_words.h"
@@ -65,5 +68,9 @@ void drawScanlinePage(Pen& pen, const ScanlineLayout& at, const ScanlinePage& pa
 /// How many pixels of the picture are one of the overview, in each direction.
 [[nodiscard]] int overviewScale(const Rect& overview, const IndexImage& image, int unit);
 [[nodiscard]] Control scanKindsControl(const ScanlineRun& run, const ScanlineView& view);
+
+/// Filling a polygon line by line, with the lines that a step has run and the values of their variables.
+/// @see Foley & van Dam 2e §3.6, §16.2.4
+[[nodiscard]] std::vector<CodeLine> scanlineCode(const ScanlineRun& run, int step);
 
 }  // namespace xnewell

@@ -1,11 +1,10 @@
-#include "x11/terminal/interrupt.h"
+#include "x11/terminal/terminal.h"
 
 #include <unistd.h>
 
 #include <csignal>
 
 #include "x11/options/exit_status.h"
-#include "x11/terminal/doing.h"
 
 namespace xnewell {
 

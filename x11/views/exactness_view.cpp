@@ -6,13 +6,10 @@
 #include <string>
 
 #include "x11/drawing/wording.h"
-#include "x11/views/picture_sheet.h"
 
 namespace xnewell {
 
 namespace {
-
-constexpr int kVerdictStrip = Sheet::kSection + 22 + 5 * Sheet::kRow;
 
 /// The verdict that a map marks: wrong if a sample is wrong, otherwise doubtful.
 bool (*markedIn(const std::vector<SampleCheck>& verdicts))(SampleCheck) {
@@ -126,28 +123,22 @@ Finding findingOf(const Exactness& e, const PictureSettings& of) {
           culled};
 }
 
-PictureSettings pictureForExactness(const ViewSettings& settings) {
-  return PictureSheet::picture(settings, kVerdictStrip);
-}
-
-ColoredImage drawExactness(const Picture& picture, const ViewSettings& settings) {
-  PictureSheet page{settings, kVerdictStrip};
+Lens exactnessLens(const Picture& picture, const CellPlan& plan, const Palette& palette) {
   const std::vector<SampleCheck> verdicts = checkedSamples(picture);
   const Exactness e = exactnessOf(verdicts);
-  const int width = picture.settings().width;
-  page.place(verdictImage(verdicts, width, settings.cells));
-  ringSpots(page.sheet.painter().within(page.at), page.at.x, page.at.y, verdicts, width, settings.cells);
-  int y = page.section("faces");
-  drawStepLegend(page.sheet.painter(), settings.cells, page.left + 2, y + 2, kVerdictSteps, "");
-  page.finding(y, findingOf(e, picture.settings()));
-  y += 22;
-  const auto row = [&](std::string_view label, const std::string& value) { y = page.row(y, label, value); };
-  row("order", std::string{kOrders[static_cast<int>(picture.settings().order)].label});
-  row("samples that show a face", grouped(e.samples) + " of " + sizeText(width, picture.settings().height));
-  row("right", grouped(e.samples - e.doubtful - e.wrong));
-  row("doubtful", grouped(e.doubtful));
-  row("wrong", grouped(e.wrong));
-  return {page.sheet.image(), picture.palette(settings.cells, settings.unneeded)};
+  const PictureSettings& s = picture.settings();
+  return {.shown = {verdictImage(verdicts, s.width, plan), palette},
+          .finding = findingOf(e, s),
+          .steps = {kVerdictSteps.begin(), kVerdictSteps.end()},
+          .section = "faces",
+          .rows = {{"order", std::string{rowOf(s.order).label}},
+                   {"samples that show a face", grouped(e.samples) + " of " + sizeText(s.width, s.height)},
+                   {"right", grouped(e.samples - e.doubtful - e.wrong)},
+                   {"doubtful", grouped(e.doubtful)},
+                   {"wrong", grouped(e.wrong)}},
+          .marks = [verdicts, width = s.width, plan](Painter painter, int x, int y) {
+            ringSpots(painter, x, y, verdicts, width, plan);
+          }};
 }
 
 }  // namespace xnewell

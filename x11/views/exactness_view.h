@@ -8,7 +8,6 @@
 #include "x11/drawing/rect.h"
 #include "x11/drawing/sheet.h"
 #include "x11/views/picture_sheet.h"
-#include "x11/views/views.h"
 
 namespace xnewell {
 
@@ -39,7 +38,6 @@ void ringSpots(Painter painter, int x, int y, const std::vector<SampleCheck>& ve
 [[nodiscard]] Finding findingOf(const Exactness& exactness, const PictureSettings& of);
 
 /// The map, its numbers, and what they mean.
-[[nodiscard]] ColoredImage drawExactness(const Picture& picture, const ViewSettings& settings);
-[[nodiscard]] PictureSettings pictureForExactness(const ViewSettings& settings);
+[[nodiscard]] Lens exactnessLens(const Picture& picture, const CellPlan& plan, const Palette& palette);
 
 }  // namespace xnewell

@@ -4,14 +4,12 @@
 #include <string>
 
 #include "x11/drawing/wording.h"
-#include "x11/views/picture_sheet.h"
 
 namespace xnewell {
 
 namespace {
 
-constexpr int kCountSwatch = 48, kLegendRows = 5;
-constexpr int kOverdrawStrip = Sheet::kSection + 36 + kLegendRows * Sheet::kRow;
+constexpr int kCountSwatch = 48;
 
 void drawCountLegend(Sheet& sheet, int x, int y) {
   Painter painter = sheet.painter();
@@ -74,34 +72,29 @@ IndexImage overdrawImage(const Overdraw& overdraw, const CellPlan& plan) {
   return image;
 }
 
-PictureSettings pictureForOverdraw(const ViewSettings& settings) {
-  return PictureSheet::picture(settings, kOverdrawStrip);
-}
-
-ColoredImage drawOverdraw(const Picture& picture, const ViewSettings& settings) {
-  PictureSheet page{settings, kOverdrawStrip};
+Lens overdrawLens(const Picture& picture, const CellPlan& plan, const Palette& palette) {
   const Overdraw o = overdrawOf(picture);
-  page.place(overdrawImage(o, settings.cells));
-  if (o.most > 1) {
-    Painter painter = page.sheet.painter().within(page.at);
-    const int x = page.at.x + static_cast<int>(o.mostAt % o.width),
-              y = page.at.y + static_cast<int>(o.mostAt / o.width);
-    painter.ring(x, y, 8, page.sheet.cell(Cell::White));
-    painter.ring(x, y, 9, page.sheet.cell(Cell::Black));
-  }
-  int y = page.section("times painted");
-  drawCountLegend(page.sheet, page.left, y);
-  page.finding(y, findingOf(o, picture));
-  y += 36;
-  const auto row = [&](std::string_view label, const std::string& value) { y = page.row(y, label, value); };
-  row("order", std::string{rowOf(picture.settings().order).label});
-  row("samples that show a face", grouped(o.samples));
-  row("samples painted in total", grouped(o.painted));
-  row("times each, mean and largest", fixed(o.mean(), 2) + "   " + std::to_string(o.most));
-  row("painted once",
-      fixed(o.samples == 0 ? 0.0 : 100.0 * static_cast<double>(o.once) / static_cast<double>(o.samples), 1) +
-          " %");
-  return {page.sheet.image(), picture.palette(settings.cells, settings.unneeded)};
+  const double once =
+      o.samples == 0 ? 0.0 : 100.0 * static_cast<double>(o.once) / static_cast<double>(o.samples);
+  Lens lens{.shown = {overdrawImage(o, plan), palette},
+            .finding = findingOf(o, picture),
+            .section = "times painted",
+            .rows = {{"order", std::string{rowOf(picture.settings().order).label}},
+                     {"samples that show a face", grouped(o.samples)},
+                     {"samples painted in total", grouped(o.painted)},
+                     {"times each, mean and largest", fixed(o.mean(), 2) + "   " + std::to_string(o.most)},
+                     {"painted once", fixed(once, 1) + " %"}},
+            .onSheet = [most = o.most, at = static_cast<int>(o.mostAt), width = o.width](PictureSheet& page,
+                                                                                         int y) {
+              drawCountLegend(page.sheet, page.left, y);
+              if (most <= 1) return;
+              Painter painter = page.sheet.painter().within(page.at);
+              const int x = page.at.x + at % width, row = page.at.y + at / width;
+              painter.ring(x, row, 8, page.sheet.cell(Cell::White));
+              painter.ring(x, row, 9, page.sheet.cell(Cell::Black));
+            }};
+  for (const OverdrawStep& step : kOverdrawSteps) lens.steps.push_back({step.cell, step.label});
+  return lens;
 }
 
 }  // namespace xnewell

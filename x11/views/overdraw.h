@@ -7,7 +7,7 @@
 #include "shading/picture/picture.h"
 #include "x11/drawing/painter.h"
 #include "x11/drawing/sheet.h"
-#include "x11/views/views.h"
+#include "x11/views/picture_sheet.h"
 
 namespace xnewell {
 
@@ -48,7 +48,6 @@ inline constexpr std::array kOverdrawSteps{
 [[nodiscard]] IndexImage overdrawImage(const Overdraw& overdraw, const CellPlan& plan);
 
 /// The map, its numbers, and what the order costs.
-[[nodiscard]] ColoredImage drawOverdraw(const Picture& picture, const ViewSettings& settings);
-[[nodiscard]] PictureSettings pictureForOverdraw(const ViewSettings& settings);
+[[nodiscard]] Lens overdrawLens(const Picture& picture, const CellPlan& plan, const Palette& palette);
 
 }  // namespace xnewell

@@ -13,11 +13,11 @@ Rect pictureAbove(const ViewSettings& settings, int strip) {
 
 PictureSheet::PictureSheet(const ViewSettings& settings, int strip)
     : at{pictureAbove(settings, strip)},
-      sheet{settings.picture.width, settings.picture.height, settings.cells},
-      width_{at.width} {
-  column = (width_ - Sheet::kGutter) / 2;
-  right = left + width_ - column;
-  top_ = at.y + at.height + Sheet::kGutter;
+      column{(at.width - Sheet::kGutter) / 2},
+      top{at.y + at.height + Sheet::kGutter},
+      width{at.width},
+      sheet{settings.picture.width, settings.picture.height, settings.cells} {
+  right = left + width - column;
 }
 
 PictureSettings PictureSheet::picture(const ViewSettings& settings, int strip) {

@@ -1,8 +1,12 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "shading/color/palette.h"
 #include "x11/drawing/painter.h"
@@ -40,25 +44,25 @@ class PictureSheet {
   /// What such a sheet asks its picture for: the size that the strip leaves.
   [[nodiscard]] static PictureSettings picture(const ViewSettings& settings, int strip);
 
-  /// The view's own image, of the picture's size.
-  void place(const IndexImage& image) {
-    sheet.painter().place(image, {0, 0, at.width, at.height}, at.x, at.y);
-  }
-  /// Begins the strip. Returns the y below its name.
-  int section(std::string_view name) { return sheet.section(left, top_, width_, name); }
-  void finding(int y, const Finding& found) { sheet.finding(right, y, column, found.bold, found.why); }
-  /// Adds a row to the table. Returns the y below it.
-  int row(int y, std::string_view label, const std::string& value) {
-    return sheet.tableRow(left, y, label, {value}, {column});
-  }
-
   Rect at;                           ///< the picture
   int left = Sheet::kMargin, right;  ///< where the columns begin
   int column;                        ///< how wide they are
+  int top, width;                    ///< of the strip
   Sheet sheet;
-
- private:
-  int top_, width_;
 };
+
+/// What a view of numbers shows of a picture: in its place, or on a sheet with a strip of numbers.
+struct Lens {
+  ColoredImage shown = {};  ///< of the picture's size
+  Finding finding = {};
+  std::vector<LegendStep> steps = {};  ///< the legend in one line
+  std::string section = {};            ///< the name of the strip
+  std::vector<std::pair<std::string, std::string>> rows = {};
+  /// Draws what a sheet has besides; in place of `steps` it draws a legend from y on.
+  std::function<void(PictureSheet&, int y)> onSheet = {};
+  std::function<void(Painter, int x, int y)> marks = {};  ///< on the picture, whose corner is at (x, y)
+};
+[[nodiscard]] Lens lensOf(View view, const Picture& picture, const CellPlan& plan, const Palette& palette,
+                          int unit = 1);
 
 }  // namespace xnewell

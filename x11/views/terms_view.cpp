@@ -6,14 +6,12 @@
 
 #include "x11/drawing/wording.h"
 #include "x11/views/own_colors.h"
-#include "x11/views/picture_sheet.h"
 
 namespace xnewell {
 
 namespace {
 
 constexpr double kHalfAShade = 1.0 / 480;
-constexpr int kTermStrip = Sheet::kSection + 5 * Sheet::kRow;
 constexpr int kScaleLeft = 8, kScaleTop = 8, kScaleHigh = 12, kScaleWide = 120;  // units
 
 /// Grays from 0 to 1, blues from -1 to 0. With 120 of each, all fit in the scene's cells.
@@ -148,26 +146,16 @@ ColoredImage termImage(const TermValues& found, const Picture& picture, const Ce
   return own;
 }
 
-PictureSettings pictureForTerm(const ViewSettings& settings) {
-  return PictureSheet::picture(settings, kTermStrip);
-}
-
-ColoredImage drawTerm(const Picture& picture, const ViewSettings& settings, Term term) {
-  PictureSheet page{settings, kTermStrip};
+Lens termLens(const Picture& picture, const CellPlan& plan, const Palette& palette, Term term, int unit) {
   const TermValues found = termValuesOf(picture, term);
-  const ColoredImage own = termImage(found, picture, settings.cells, settings.unneeded);
-  page.place(own.image);
-  const PictureSettings& p = picture.settings();
-  int y =
-      page.section(termName(term, p.light.form) + ", " + std::string{rowOf(p.shading).label} + " shading");
-  page.finding(y, findingOf(found, picture));
-  const auto row = [&](std::string_view label, const std::string& value) { y = page.row(y, label, value); };
-  y += 4;
-  row("samples that show a face", grouped(found.samples));
-  row(rowOf(term).isCosine ? "above 0" : "half a shade of 240 or more", grouped(found.counted));
-  row("least and largest", fixed(found.least, 4) + "   " + fixed(found.most, 4));
-  row("mean", fixed(found.mean, 4));
-  return {page.sheet.image(), withInterface(own.palette, settings.cells)};
+  const PictureSettings& s = picture.settings();
+  return {.shown = termImage(found, picture, plan, palette, unit),
+          .finding = findingOf(found, picture),
+          .section = termName(term, s.light.form) + ", " + std::string{rowOf(s.shading).label} + " shading",
+          .rows = {{"samples that show a face", grouped(found.samples)},
+                   {rowOf(term).isCosine ? "above 0" : "half a shade of 240 or more", grouped(found.counted)},
+                   {"least and largest", fixed(found.least, 4) + "   " + fixed(found.most, 4)},
+                   {"mean", fixed(found.mean, 4)}}};
 }
 
 }  // namespace xnewell

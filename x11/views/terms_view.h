@@ -5,7 +5,7 @@
 
 #include "shading/explain/term_values.h"
 #include "x11/drawing/sheet.h"
-#include "x11/views/views.h"
+#include "x11/views/picture_sheet.h"
 
 namespace xnewell {
 
@@ -32,8 +32,8 @@ struct TermValues {
 [[nodiscard]] ColoredImage termImage(const TermValues& found, const Picture& picture, const CellPlan& plan,
                                      const Palette& palette, int unit = 1);
 
-/// The same on a sheet, with its numbers.
-[[nodiscard]] ColoredImage drawTerm(const Picture& picture, const ViewSettings& settings, Term term);
-[[nodiscard]] PictureSettings pictureForTerm(const ViewSettings& settings);
+/// The same with its numbers.
+[[nodiscard]] Lens termLens(const Picture& picture, const CellPlan& plan, const Palette& palette, Term term,
+                            int unit);
 
 }  // namespace xnewell

@@ -8,13 +8,10 @@
 #include "depthsort/region.h"
 #include "x11/drawing/line_pixels.h"
 #include "x11/drawing/wording.h"
-#include "x11/views/picture_sheet.h"
 
 namespace xnewell {
 
 namespace {
-
-constexpr int kWireframeStrip = Sheet::kSection + 22 + 5 * Sheet::kRow;
 
 /// Between two places of the screen grid; at `from` the one that is less.
 struct Edge {
@@ -119,7 +116,7 @@ int forEachPlace(std::vector<Edge>& edges, Use&& use) {
 }
 
 /// A legend: an example of each kind of line, and what it means.
-int drawEdgeLegend(Sheet& sheet, int x, int y) {
+void drawEdgeLegend(Sheet& sheet, int x, int y) {
   struct EdgeRow {
     Cell cell;
     bool dashed;
@@ -133,7 +130,6 @@ int drawEdgeLegend(Sheet& sheet, int x, int y) {
                  {.on = kDash, .off = row.dashed ? kDashPeriod - kDash : 0});
     x = painter.text(x + 42, y + Sheet::kAscent - 1, row.name, sheet.cell(Cell::Soft)) + 14;
   }
-  return y + 22;
 }
 
 }  // namespace
@@ -184,26 +180,18 @@ Wireframe wireframeOf(const Picture& picture, const CellPlan& plan) {
   return wires;
 }
 
-PictureSettings pictureForWireframe(const ViewSettings& settings) {
-  return PictureSheet::picture(settings, kWireframeStrip);
-}
-
-ColoredImage drawWireframe(const Picture& picture, const ViewSettings& settings) {
-  PictureSheet page{settings, kWireframeStrip};
-  const Wireframe wires = wireframeOf(picture, settings.cells);
-  page.place(wires.image);
-  int y = page.section("edges");
-  y = drawEdgeLegend(page.sheet, page.left, y);
-  page.finding(y, findingOf(wires, picture));
-  const auto row = [&](std::string_view label, std::int64_t value) {
-    y = page.row(y, label, grouped(value));
-  };
-  row("polygons", wires.polygons);
-  row("seen from behind", wires.back);
-  row("edges, each counted once", wires.edges);
-  row("cuts", wires.cuts);
-  row("polygons and pieces painted", static_cast<std::int64_t>(picture.sorted().fragments.size()));
-  return {page.sheet.image(), picture.palette(settings.cells, settings.unneeded)};
+Lens wireframeLens(const Picture& picture, const CellPlan& plan, const Palette& palette) {
+  const Wireframe wires = wireframeOf(picture, plan);
+  return {.shown = {wires.image, palette},
+          .finding = findingOf(wires, picture),
+          .section = "edges",
+          .rows = {{"polygons", grouped(wires.polygons)},
+                   {"seen from behind", grouped(wires.back)},
+                   {"edges, each counted once", grouped(wires.edges)},
+                   {"cuts", grouped(wires.cuts)},
+                   {"polygons and pieces painted",
+                    grouped(static_cast<std::int64_t>(picture.sorted().fragments.size()))}},
+          .onSheet = [](PictureSheet& page, int y) { drawEdgeLegend(page.sheet, page.left, y); }};
 }
 
 }  // namespace xnewell

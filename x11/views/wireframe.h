@@ -1,7 +1,7 @@
 #pragma once
 
 #include "x11/drawing/sheet.h"
-#include "x11/views/views.h"
+#include "x11/views/picture_sheet.h"
 
 namespace xnewell {
 
@@ -24,8 +24,7 @@ struct Wireframe {
 /// Dashes count screen pixels along the longer axis, so that an edge that pieces share is dashed as one line.
 inline constexpr int kDash = 3, kDashPeriod = 5;
 
-/// Draws the wireframe and its numbers.
-[[nodiscard]] ColoredImage drawWireframe(const Picture& picture, const ViewSettings& settings);
-[[nodiscard]] PictureSettings pictureForWireframe(const ViewSettings& settings);
+/// The wireframe and its numbers.
+[[nodiscard]] Lens wireframeLens(const Picture& picture, const CellPlan& plan, const Palette& palette);
 
 }  // namespace xnewell

@@ -14,7 +14,7 @@ namespace xnewell {
 
 /// How a colour is shown where cells cannot be written: by the nearest colour that the server has, or by a
 /// mixture of several whose mean it is. Nearness is the squared distance of the 8-bit values; of two equally
-/// near colours the later one counts (as in nearest_color.h). The search uses integers only.
+/// near colours the later one counts (as in quantize.h). The search uses integers only.
 
 /// A pixel value and the colour that it shows.
 struct OfferedColor {

@@ -10,7 +10,6 @@
 #include <set>
 
 #include "shading/color/color_difference.h"
-#include "shading/color/nearest_color.h"
 #include "tests/support/image_difference.h"
 #include "tests/support/quantized.h"
 

@@ -1,4 +1,4 @@
-#include "shading/laboratory/reference.h"
+#include "shading/laboratory/truth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "x11/lessons/kept_answers.h"
+#include "x11/lessons/lesson_bench.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/drawing/wording.h"
-#include "x11/scanline/scanline_code.h"
+#include "x11/scanline/scanline_page.h"
 
 namespace xnewell::THIS_FILE {
 

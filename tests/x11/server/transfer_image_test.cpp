@@ -13,7 +13,6 @@
 #include <X11/Xutil.h>
 
 #include "x11/server/canvas.h"
-#include "x11/server/transfer_image.h"
 
 namespace xnewell::THIS_FILE {
 

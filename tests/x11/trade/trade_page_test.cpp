@@ -1,4 +1,4 @@
-#include "x11/trade/trade_page.h"
+#include "x11/trade/trade_bench.h"
 
 #include <gtest/gtest.h>
 

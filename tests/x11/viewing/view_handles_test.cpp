@@ -1,4 +1,4 @@
-#include "x11/viewing/view_handles.h"
+#include "x11/viewing/outside_view.h"
 
 #include <gtest/gtest.h>
 

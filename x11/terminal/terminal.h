@@ -1,12 +1,38 @@
 #pragma once
 
+#include <unistd.h>
+
+#include <iostream>
 #include <ostream>
 #include <streambuf>
+#include <string>
 #include <string_view>
+#include <tuple>
 
 #include "geometry/files/visible.h"
 
 namespace xnewell {
+
+/// On a terminal, shows what is being done for as long as it lasts. Silent anywhere else.
+class Doing {
+ public:
+  explicit Doing(const std::string& what) : told_{::isatty(STDERR_FILENO) == 1} {
+    if (told_) std::cerr << "xnewell: " << visible(what) << " ..." << std::flush;
+  }
+  Doing(const Doing&) = delete;
+  Doing& operator=(const Doing&) = delete;
+  ~Doing() {
+    if (told_) std::ignore = ::write(STDERR_FILENO, "\r\033[K", 4);  // go to the line's start and clear it
+  }
+
+ private:
+  bool told_;
+};
+
+/// Lets the program end by itself after an interrupt (SIGINT), so that it can tell what it has done: from now
+/// on the first one only makes wasInterrupted() true. A second one ends the program.
+void awaitInterrupt();
+[[nodiscard]] bool wasInterrupted();
 
 /// Shows what is written to a stream, for as long as the object lives: of all control characters only the end
 /// of a line passes (visible.h).
