@@ -178,9 +178,10 @@ class RunJudge {
   [[nodiscard]] int samplesNearer(int P, int Q, Found* first = nullptr) const {
     int samples = 0;
     forEachPair(P, Q, [&](int p, int q) {
-      run_.record.forEachHidden(p, q, [&](int i, int j) {
-        if (samples++ == 0 && first) first->i = i, first->j = j, first->fragmentP = q, first->fragmentQ = p;
-      });
+      const Hidden here = run_.record.hidden(p, q);
+      if (samples == 0 && here.samples > 0 && first)
+        first->i = here.i, first->j = here.j, first->fragmentP = q, first->fragmentQ = p;
+      samples += here.samples;
     });
     if (first) first->samples = samples;
     return samples;
@@ -521,6 +522,7 @@ class RunJudge {
                                               owns(part(id).region, one.i, one.j))
           one.P = P;
       if (one.P < 0) one.P = run_.add({"face " + std::to_string(number), number});
+      one.right = {one.P};
       tell(one);
     }
   }

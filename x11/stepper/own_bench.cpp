@@ -226,7 +226,7 @@ void SortBench::addOwnKeys(KeyTable& table) {
 }
 
 /// Without --size, which the file says.
-std::string SortBench::judgeCommand(const std::string& file) const {
+std::string SortBench::judgeCommand(const std::string& what) const {
   constexpr std::string_view kDraw = "xnewell draw ", kTo = " -o picture.png";
   const PictureSettings& settings = picture_->settings();
   const std::string size =
@@ -240,7 +240,7 @@ std::string SortBench::judgeCommand(const std::string& file) const {
   if (!command.starts_with(kDraw) || !command.ends_with(kTo)) return "";
   if (const std::size_t at = command.find(size); at != std::string::npos) command.erase(at, size.size());
   return "xnewell judge " + command.substr(kDraw.size(), command.size() - kDraw.size() - kTo.size()) + ' ' +
-         quoted(file);
+         what;
 }
 
 void SortBench::askToWrite() {
@@ -255,7 +255,7 @@ void SortBench::askToWrite() {
         const std::vector<PaintStep> steps = own_->steps(*run());
         const glm::ivec2 size{picture_->settings().width, picture_->settings().height};
         writeFile(file, paintOrderText(steps, size));
-        judges_ = judgeCommand(file);
+        judges_ = judgeCommand(quoted(file));
         host_.tell(file + " is written: " + counted(std::ssize(steps), "step") + " in a picture of " +
                    sizeText(size.x, size.y) + "; C copies the command that judges it.");
       }));

@@ -26,11 +26,6 @@ std::string polygonName(const Fragments& fragments, int id) {
   return (fragments.hasName(id) ? "polygon " : "") + fragments.name(id);
 }
 
-std::string capitalized(std::string words) {
-  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-  return words;
-}
-
 /// Why only a cut helps: "polygons must be painted a before b before c before a".
 std::string circleText(const SortRun& run, const std::vector<int>& cycle) {
   constexpr std::size_t kMostNamed = 5;
@@ -53,18 +48,6 @@ std::unique_ptr<SortRun> OwnSort::makeRun(std::uint8_t ground) const {
   return run;
 }
 
-OwnSort::Hidden OwnSort::hidden(int P, int R) const {
-  Hidden found;
-  record_.forEachHidden(P, R, [&](int i, int row) {
-    if (found.samples++ == 0) found.i = i, found.j = row;
-    if (!found.rows.empty() && found.rows.back().row == row && found.rows.back().to == i)
-      ++found.rows.back().to;
-    else
-      found.rows.push_back({row, i, i + 1});
-  });
-  return found;
-}
-
 OwnSort::Reply OwnSort::refuse(std::string bold, std::string why) {
   score_.add(false);
   return {false, std::move(bold), std::move(why)};
@@ -84,7 +67,7 @@ OwnSort::Reply OwnSort::paint(const SortRun& run, int P, int Q) {
   std::vector<SampleRow> spoilt;
   for (const int R : run.waiting()) {
     if (R == P) continue;
-    Hidden here = hidden(P, R);
+    Hidden here = record_.hidden(P, R);
     spoilt.insert(spoilt.end(), here.rows.begin(), here.rows.end());
     if (here.samples > most.samples) most = std::move(here), covers = R;
   }
@@ -121,7 +104,7 @@ OwnSort::Reply OwnSort::tell(const SortRun& run, Test test, int P, int Q) {
 }
 
 OwnSort::Reply OwnSort::move(const SortRun& run, int P, int Q) {
-  if (const Hidden here = hidden(Q, P); here.samples > 0)
+  if (const Hidden here = record_.hidden(Q, P); here.samples > 0)
     return refuse("Q is not moved.", "Q is nearer than P at " + samplesText(here.samples, here.i, here.j) +
                                          ", so P must be painted before Q.");
   begin(P, Q);

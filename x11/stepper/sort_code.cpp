@@ -4,6 +4,7 @@
 #include <array>
 
 #include "x11/drawing/wording.h"
+#include "x11/stepper/sort_wording.h"
 
 namespace xnewell {
 
@@ -141,11 +142,18 @@ std::vector<CodeLine> sortCode(SortRun& run, const SortView& view) {
     }
     // The tests before it failed. SamePlane is decided by itself.
     const SortLine now = lineOf(e);
-    if (e.test != Test::SamePlane)
-      for (int k = TestOne; k < now; ++k)
-        if (k != OnePlane)
-          ran(static_cast<SortLine>(k), CodeLine::Ran::Before), values(static_cast<SortLine>(k), "no");
-    values(now, std::string{inWords(e.verdict)});
+    if (run.theirs()) {
+      for (const auto& [test, answer] : testsShown(run, e)) {
+        ran(lineOf(test), CodeLine::Ran::Before);
+        values(lineOf(test), answer.words);
+      }
+    } else {
+      if (e.test != Test::SamePlane)
+        for (int k = TestOne; k < now; ++k)
+          if (k != OnePlane)
+            ran(static_cast<SortLine>(k), CodeLine::Ran::Before), values(static_cast<SortLine>(k), "no");
+      values(now, std::string{inWords(e.verdict)});
+    }
   }
   if (e.kind == Event::Kind::Take) ran(MarkP, CodeLine::Ran::Before);
   ran(lineOf(e), CodeLine::Ran::Now);

@@ -90,20 +90,21 @@ void drawTests(SortPen& pen) {
   const Rect& at = pen.at.table;
   const int heading = at.height - static_cast<int>(kOrder.size()) * pen.at.line;
   const int numbers = at.x + (pen.at.compact ? 174 : 186), right = at.x + at.width;
-  const std::vector<Test> made =
-      pen.told() ? pen.run.explainer().testsMade(*pen.compare) : std::vector<Test>{};
+  const std::vector<ShownTest> made =
+      pen.told() ? testsShown(pen.run, *pen.compare) : std::vector<ShownTest>{};
   // A polygon that is painted has passed against every Q. The table shows by which tests.
-  const bool painted = pen.event && pen.event->kind == Event::Kind::Paint;
+  const bool painted = pen.event && pen.event->kind == Event::Kind::Paint && !pen.compare;
   const std::array<int, kTests> settled =
       painted ? settledFor(pen.run.sorted(), pen.view.step) : std::array<int, kTests>{};
   int y = at.y + heading + pen.at.line - 4;
   for (Test test : kOrder) {
     // For two polygons in one plane the face numbers decide, not test 6.
-    if (test == Test::Overlap && std::ranges::find(made, Test::SamePlane) != made.end())
+    if (test == Test::Overlap && std::ranges::find(made, Test::SamePlane, &ShownTest::test) != made.end())
       test = Test::SamePlane;
     const int pairs = settled[static_cast<int>(test)] +
                       (test == Test::Overlap ? settled[static_cast<int>(Test::SamePlane)] : 0);
-    const bool reached = pairs > 0 || std::ranges::find(made, test) != made.end();
+    const auto row = std::ranges::find(made, test, &ShownTest::test);
+    const bool reached = pairs > 0 || row != made.end();
     if (test == Test::QBehindP) pen.rule(at.x, y - pen.at.line + 4, at.width);
     const Cell cell = reached ? Cell::Ink : Cell::Faint;
     pen.paint.text(at.x, y, shortNameOf(test), pen(reached ? Cell::Soft : Cell::Faint));
@@ -111,7 +112,7 @@ void drawTests(SortPen& pen) {
     if (pairs > 0) {
       pen.ink(numbers, y, "settled it against " + counted(pairs, "polygon"));
     } else if (reached) {
-      const TestAnswer answer = answerOf(*pen.compare, test);
+      const TestAnswer& answer = row->answer;
       pen.ink(numbers, y,
               numbersThatFit(pen.run.explainer(), *pen.compare, test,
                              right - textWidth(answer.words) - 24 - numbers));

@@ -61,22 +61,49 @@ std::string verdictText(const Event& compare) {
   return "";
 }
 
+/// What is wrong with a step of another program, by Falsehood.
+constexpr std::array<std::string_view, kFalsehoods.size()> kWrong{"The answer is wrong.",
+                                                                  "A test is left out.",
+                                                                  "Q may not go first.",
+                                                                  "P is painted too early.",
+                                                                  "The same again: this does not end.",
+                                                                  "This plane does not cut it.",
+                                                                  "The pieces are exchanged.",
+                                                                  "The pieces are not those of this plane.",
+                                                                  "The pieces do not cover it once.",
+                                                                  "The shading is not copied.",
+                                                                  "P is not there any more.",
+                                                                  "A polygon is lost."};
+
 std::string_view answerText(Verdict verdict) { return kAnswers[static_cast<std::size_t>(verdict)]; }
+
+/// True if another program has made this test, and it does not tell.
+bool saysNo(const SortRun& run, const Event& e) {
+  return run.theirs() && e.kind == Event::Kind::Compare && e.verdict == Verdict::Crossing;
+}
 
 /// The sentence of the step, without its first word, which is in the bold line or the status already.
 std::string sentenceOf(const SortRun& run) {
   const Event& e = *run.replay().event();
   const int splits = run.replay().splits() - (e.kind == Event::Kind::Split);
+  if (saysNo(run, e)) {
+    if (e.test == Test::Overlap) return "Where they overlap, P is nearer somewhere.";
+    return run.explainer().sentence({.kind = e.kind, .test = Test::Overlap, .P = e.P, .Q = e.Q}, e.test);
+  }
   std::string sentence = run.explainer().sentence(e, splits, run.asTested()->P != e.P);
   if (e.kind != Event::Kind::Compare)
     if (const std::size_t colon = sentence.find(": "); colon != std::string::npos) {
-      sentence.erase(0, colon + 2);
-      sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+      return capitalized(sentence.substr(colon + 2));
     }
   return sentence;
 }
 
 }  // namespace
+
+std::string capitalized(std::string words) {
+  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
+}
 
 bool isQuestion(const Event& event) {
   return event.kind == Event::Kind::Compare && event.test != Test::XExtents && event.test != Test::YExtents;
@@ -85,13 +112,18 @@ bool isQuestion(const Event& event) {
 std::string numberAndPart(const SortRun& run, int id) {
   const std::string part = run.fragments().part(id);
   if (run.fragments().hasName(id)) return part;
-  return run.fragments().number(id) + (part.empty() ? "" : " " + part);
+  return run.number(id) + (part.empty() ? "" : " " + part);
 }
 
 std::string stepInWords(const SortRun& run) {
   const std::optional<Event> e = run.asTested();
   if (!e) return "start: nothing is painted";
-  std::string words = std::string{wordFor(e->kind)} + ": P " + numberAndPart(run, e->P);
+  const std::string line = run.theirs() ? "line " + std::to_string(run.line()) + ", " : "";
+  const std::string test =
+      !run.theirs() || e->kind != Event::Kind::Compare
+          ? ""
+          : ' ' + std::string{shortNameOf(e->test)} + (saysNo(run, *e) ? " says no" : " says yes");
+  std::string words = line + std::string{wordFor(e->kind)} + test + ": P " + numberAndPart(run, e->P);
   if (e->Q >= 0) words += ", Q " + numberAndPart(run, e->Q);
   return words;
 }
@@ -122,6 +154,10 @@ std::string_view questionOf(Test test) {
       return "nearer in the overlap?";
   }
   return "";
+}
+
+std::string_view nameOf(const SortRun& run, Landmark kind) {
+  return run.theirs() && kind == Landmark::Failed ? "false" : kLandmarks[static_cast<int>(kind)].name;
 }
 
 std::string distanceText(const CornerDistance& corner) {
@@ -198,6 +234,35 @@ TestAnswer answerOf(const Event& e, Test test) {
   return {Mark::Cross, ""};
 }
 
+std::vector<ShownTest> testsShown(const SortRun& run, const Event& compare) {
+  using Mark = TestAnswer::Mark;
+  std::vector<ShownTest> tests;
+  const std::vector<Event>& events = run.sorted().events;
+  int step = run.replay().step();
+  if (!run.theirs() || comparisonAt(run.sorted(), step) == nullptr) {
+    for (const Test test : run.explainer().testsMade(compare))
+      tests.push_back({test, answerOf(compare, test)});
+    return tests;
+  }
+  for (const FalseStep* wrong : run.wrong())
+    if (wrong->kind == Falsehood::LeftOut)
+      tests.push_back({*wrong->test, {Mark::Cross, "left out; it is yes"}});
+  while (events[step - 1].kind != Event::Kind::Compare) --step;
+  const int P = events[step - 1].P, Q = events[step - 1].Q;
+  for (; step > 0; --step) {
+    const Event& e = events[step - 1];
+    if (e.kind != Event::Kind::Compare || e.P != P || e.Q != Q) break;
+    const std::vector<const FalseStep*> all = run.wrongAt(step);
+    const bool wrong = std::ranges::find(all, Falsehood::Answer, &FalseStep::kind) != all.end();
+    const std::string yes = "yes", no = "no", &said = e.verdict == Verdict::Crossing ? no : yes;
+    tests.push_back(
+        {e.test,
+         {wrong ? Mark::Cross : Mark::Tick, wrong ? said + "; it is " + (said == no ? yes : no) : said}});
+  }
+  std::ranges::reverse(tests);
+  return tests;
+}
+
 StepFinding findingOf(const SortRun& run, const SortView& view) {
   const Event* const e = run.replay().event();
   if (const auto& own = view.own)
@@ -207,6 +272,15 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
                                  : "",
             own->alarm};
   const auto polygons = static_cast<std::int64_t>(run.sorted().list.size());
+  if (e == nullptr && run.theirs()) {
+    const auto wrong = std::ssize(run.landmarks().steps(Landmark::Failed));
+    return {wrong == 0 ? "No step of this run is false."
+                       : counted(wrong, "step") + " of this run " + (wrong == 1 ? "is" : "are") + " false.",
+            wrong == 0 ? "Each step is shown beside what is right."
+                       : "The timeline shows it in red: j goes to the next one. Each step is shown beside "
+                         "what is right.",
+            "", wrong > 0};
+  }
   if (e == nullptr) {
     if (polygons == 0) return {"There is nothing to sort.", "No polygon of the scene is visible."};
     return {"Nothing is painted yet.",
@@ -218,6 +292,7 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
             "P and Q overlap in x, y and z. Look, then answer; the right arrow shows the answer."};
 
   StepFinding finding{.bold = "", .why = sentenceOf(run)};
+  const std::vector<const FalseStep*> wrong = run.wrong();
   switch (e->kind) {
     case Event::Kind::Take:
       finding.bold = "P is " + numberAndPart(run, e->P) + ".";
@@ -255,13 +330,27 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
       finding.alarm = true;
       break;
     case Event::Kind::Paint:
-      finding.bold =
-          run.replay().step() == run.steps() ? "P is painted. It was the last polygon." : "P is painted.";
+      finding.bold = run.replay().step() == run.steps() && run.waiting().empty()
+                         ? "P is painted. It was the last polygon."
+                         : "P is painted.";
       break;
+  }
+  if (saysNo(run, *e)) {
+    finding.bold = std::string{"Test "} + std::string{shortNameOf(e->test)} + " does not tell.";
+    finding.alarm = false;
+  }
+  if (!wrong.empty()) {
+    finding.bold = kWrong[static_cast<std::size_t>(wrong[0]->kind)];
+    finding.alarm = true;
+    finding.why.clear();
+    for (const FalseStep* one : wrong)
+      finding.why += (finding.why.empty() ? "" : " ") +
+                     std::string{one->follows ? "It may follow from a step before: " : ""} +
+                     capitalized(one->says) + '.';
   }
   if (view.answer)
     finding.aside = "you said: " + std::string{answerText(*view.answer)} +
-                    (*view.answer == e->verdict ? ", and that is right" : "");
+                    (*view.answer == run.verdict() ? ", and that is right" : "");
   return finding;
 }
 
@@ -270,9 +359,9 @@ std::vector<std::string> stepAsLines(const SortRun& run, const SortView& view) {
   if (view.asking) return lines;
   const std::optional<Event> e = run.asTested();
   if (e && e->kind == Event::Kind::Compare && !view.own)
-    for (const Test test : run.explainer().testsMade(*e))
+    for (const auto& [test, answer] : testsShown(run, *e))
       lines.push_back(std::string{shortNameOf(test)} + "   " + std::string{questionOf(test)} + "   " +
-                      numbersOf(run.explainer(), *e, test).front() + "   " + answerOf(*e, test).words);
+                      numbersOf(run.explainer(), *e, test).front() + "   " + answer.words);
   const StepFinding finding = findingOf(run, view);
   if (view.own && view.own->P >= 0) {
     lines.back() = "you sort: P " + numberAndPart(run, view.own->P);
