@@ -139,6 +139,14 @@ std::vector<CornerDistance> distancesFromPlane(const SnappedScene& scene, const 
   return distances;
 }
 
+std::optional<PlaneTest> planeTestOf(Test test) {
+  if (test == Test::PBehindQ || test == Test::PInFrontOfQ)
+    return PlaneTest{true, test == Test::PBehindQ ? -1 : 1};
+  if (test == Test::QBehindP || test == Test::QInFrontOfP)
+    return PlaneTest{false, test == Test::QBehindP ? -1 : 1};
+  return std::nullopt;
+}
+
 std::string_view wordFor(Event::Kind kind) {
   switch (kind) {
     case Event::Kind::Take:
@@ -280,12 +288,10 @@ std::string Explainer::failed(const Event& e, Test test) const {
 }
 
 bool Explainer::failsByRounding(const Event& e, Test test) const {
-  const bool ofP = test == Test::PBehindQ || test == Test::PInFrontOfQ;
-  const bool aboutPlane = ofP || test == Test::QInFrontOfP || test == Test::QBehindP;
-  if (!aboutPlane || test == e.test) return false;
-  const int allowed = test == Test::PBehindQ || test == Test::QBehindP ? -1 : 1;
-  return std::ranges::all_of(ofP ? distances(e.P, e.Q) : distances(e.Q, e.P),
-                             [&](const CornerDistance& c) { return c.sign == allowed || c.mayBeOn; });
+  const std::optional<PlaneTest> plane = planeTestOf(test);
+  if (!plane || test == e.test) return false;
+  return std::ranges::all_of(plane->ofP ? distances(e.P, e.Q) : distances(e.Q, e.P),
+                             [&](const CornerDistance& c) { return c.sign == plane->side || c.mayBeOn; });
 }
 
 std::string Explainer::sentence(const Event& e, Test test) const {

@@ -7,8 +7,13 @@
 #include "depthsort/fragment_spans.h"
 #include "depthsort/pieces.h"
 #include "shading/laboratory/exactness.h"
+#include "x11/drawing/wording.h"
 
 namespace xnewell {
+
+std::string Hidden::inWords() const {
+  return counted(samples, "sample") + ", such as " + std::to_string(i) + ',' + std::to_string(j);
+}
 
 RunRecord::RunRecord(const Picture& picture, bool all)
     : picture_{picture},
@@ -195,11 +200,7 @@ NamedRun::Step NamedRun::step(const RunStep& s, const std::function<void(const S
     case Event::Kind::Split:
       split(s, step);
       break;
-    case Event::Kind::Cycle:
-    case Event::Kind::Impossible:
-    case Event::Kind::Vain:
-    case Event::Kind::Void:
-      // The contact of a cycle changes marks, which are the program's own.
+    default:  // the contact of a cycle changes marks, which are the program's own
       if (shows && *s.kind != Event::Kind::Void) record.add({.kind = *s.kind, .P = p[0], .Q = q[0]});
       break;
   }

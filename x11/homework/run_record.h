@@ -20,7 +20,9 @@ struct SampleRow {
 /// Samples where one polygon hides another, and the first of them.
 struct Hidden {
   int samples = 0, i = 0, j = 0;
-  std::vector<SampleRow> rows;
+  std::vector<SampleRow> rows = {};
+
+  [[nodiscard]] std::string inWords() const;  ///< "12 samples, such as 3,4"
 };
 
 /// A run of the depth sort that somebody else makes, recorded as the program records its own: the student's

@@ -16,14 +16,6 @@ namespace xnewell {
 
 /// The part of the stepper's view in which the student sorts.
 
-namespace {
-
-constexpr std::array kNamedTests{Test::XExtents, Test::YExtents, Test::PBehindQ, Test::QInFrontOfP,
-                                 Test::Projections};
-static_assert(kNamedTests.size() == kOwnTests);
-
-}  // namespace
-
 void SortBench::sortOneself(bool on) {
   SortView& view = player_.view;
   view.playing = view.asking = false;
@@ -149,7 +141,7 @@ void SortBench::act(int index) {
 void SortBench::tellTest(int index) {
   const int P = view().own->P, Q = view().own->Q;
   const auto known = view().own->passed;
-  const OwnSort::Reply reply = own_->tell(*run(), kNamedTests[index], P, Q);
+  const OwnSort::Reply reply = own_->tell(*run(), testAt(index), P, Q);
   showOwn(P, Q, reply);
   player_.view.own->passed = known;
   player_.view.own->passed[index] = reply.told;

@@ -14,10 +14,6 @@ namespace xnewell {
 
 namespace {
 
-std::string samplesText(int samples, int i, int j) {
-  return counted(samples, "sample") + ", such as " + std::to_string(i) + "," + std::to_string(j);
-}
-
 /// "Test 3".
 std::string testText(Test test) { return "Test " + std::string{shortNameOf(test)}; }
 
@@ -81,8 +77,8 @@ OwnSort::Reply OwnSort::paint(const SortRun& run, int P, int Q) {
     const std::string lesson =
         circle ? "Only a cut helps: " + circleText(run, pair.cycle) : capitalized(lessonOf(pair, two));
     reply = {false, name + " is painted too early.",
-             "It is nearer than " + two[0].name + ", which is left to paint, at " +
-                 samplesText(most.samples, most.i, most.j) + ". " + lesson + "."};
+             "It is nearer than " + two[0].name + ", which is left to paint, at " + most.inWords() + ". " +
+                 lesson + "."};
   }
   begin(P, Q);
   record_.paint(P);
@@ -105,8 +101,8 @@ OwnSort::Reply OwnSort::tell(const SortRun& run, Test test, int P, int Q) {
 
 OwnSort::Reply OwnSort::move(const SortRun& run, int P, int Q) {
   if (const Hidden here = record_.hidden(Q, P); here.samples > 0)
-    return refuse("Q is not moved.", "Q is nearer than P at " + samplesText(here.samples, here.i, here.j) +
-                                         ", so P must be painted before Q.");
+    return refuse("Q is not moved.",
+                  "Q is nearer than P at " + here.inWords() + ", so P must be painted before Q.");
   begin(P, Q);
   record_.move(P, Q);
   const std::string first = polygonName(run.fragments(), Q), old = polygonName(run.fragments(), P);

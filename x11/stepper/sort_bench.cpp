@@ -212,7 +212,8 @@ void SortBench::open(const std::string& file, const Scene& scene) {
   Picture picture = makePicture(scene, settings).withPlanes();
   RunReport report = judgeRun(picture, run);
   theirs_ = std::make_shared<const JudgedRun>(std::move(run), std::move(picture), std::move(report));
-  drawn_.reset();
+  player_.run.reset(), about_.reset(), drawn_.reset();
+  player_.view.step = 0;
 }
 
 Rect SortBench::theirPicture(const Rect& room, int unit) const {

@@ -49,17 +49,8 @@ std::vector<std::string> planeNumbers(const Explainer& explainer, int of, int ot
   return {count + ": " + each, brief + ": " + each, count, brief};
 }
 
-std::string verdictText(const Event& compare) {
-  switch (compare.verdict) {
-    case Verdict::PFirst:
-      return "P may be painted before Q.";
-    case Verdict::QFirst:
-      return "Q must be painted before P.";
-    case Verdict::Crossing:
-      return "P and Q pass through each other.";
-  }
-  return "";
-}
+constexpr std::array<std::string_view, 3> kVerdicts{
+    "P may be painted before Q.", "Q must be painted before P.", "P and Q pass through each other."};
 
 /// What is wrong with a step of another program, by Falsehood.
 constexpr std::array<std::string_view, kFalsehoods.size()> kWrong{"The answer is wrong.",
@@ -133,27 +124,11 @@ std::string_view shortNameOf(Test test) {
 }
 
 std::string_view questionOf(Test test) {
-  switch (test) {
-    case Test::SamePlane:
-      return "in one plane?";
-    case Test::XExtents:
-      return "x-extents apart?";
-    case Test::YExtents:
-      return "y-extents apart?";
-    case Test::PBehindQ:
-      return "P behind Q's plane?";
-    case Test::QInFrontOfP:
-      return "Q in front of P's plane?";
-    case Test::Projections:
-      return "projections apart?";
-    case Test::QBehindP:
-      return "Q behind P's plane?";
-    case Test::PInFrontOfQ:
-      return "P in front of Q's plane?";
-    case Test::Overlap:
-      return "nearer in the overlap?";
-  }
-  return "";
+  constexpr std::array<std::string_view, kTests> kQuestions{
+      "in one plane?",       "x-extents apart?",         "y-extents apart?",
+      "P behind Q's plane?", "Q in front of P's plane?", "projections apart?",
+      "Q behind P's plane?", "P in front of Q's plane?", "nearer in the overlap?"};
+  return kQuestions[static_cast<std::size_t>(test)];
 }
 
 std::string_view nameOf(const SortRun& run, Landmark kind) {
@@ -166,19 +141,13 @@ std::string distanceText(const CornerDistance& corner) {
 }
 
 std::vector<std::string> numbersOf(const Explainer& explainer, const Event& e, Test test) {
+  if (const std::optional<PlaneTest> plane = planeTestOf(test))
+    return planeNumbers(explainer, plane->ofP ? e.P : e.Q, plane->ofP ? e.Q : e.P, plane->side < 0);
   switch (test) {
     case Test::XExtents:
       return extentNumbers(explainer.xExtent(e.P), explainer.xExtent(e.Q));
     case Test::YExtents:
       return extentNumbers(explainer.yExtent(e.P), explainer.yExtent(e.Q));
-    case Test::PBehindQ:
-      return planeNumbers(explainer, e.P, e.Q, true);
-    case Test::QInFrontOfP:
-      return planeNumbers(explainer, e.Q, e.P, false);
-    case Test::QBehindP:
-      return planeNumbers(explainer, e.Q, e.P, true);
-    case Test::PInFrontOfQ:
-      return planeNumbers(explainer, e.P, e.Q, false);
     case Test::Projections: {
       if (const std::optional<SeparatingEdge> edge = explainer.separatingEdge(e.P, e.Q))
         return {std::string{"an edge of "} + (edge->ofP ? "P has all of Q" : "Q has all of P") +
@@ -202,8 +171,9 @@ std::vector<std::string> numbersOf(const Explainer& explainer, const Event& e, T
                   : "P is in front of Q by " + range,
               "zP - zQ: " + range, range};
     }
+    default:
+      return {""};
   }
-  return {""};
 }
 
 std::string numbersThatFit(const Explainer& explainer, const Event& e, Test test, int width) {
@@ -223,15 +193,8 @@ std::string fitting(std::string_view text, int width) {
 TestAnswer answerOf(const Event& e, Test test) {
   using Mark = TestAnswer::Mark;
   if (test != e.test) return {Mark::Cross, "no"};
-  switch (e.verdict) {
-    case Verdict::PFirst:
-      return {Mark::Tick, "yes, P first"};
-    case Verdict::QFirst:
-      return {Mark::Tick, "yes, Q first"};
-    case Verdict::Crossing:
-      return {Mark::Cross, "both are"};
-  }
-  return {Mark::Cross, ""};
+  if (e.verdict == Verdict::Crossing) return {Mark::Cross, "both are"};
+  return {Mark::Tick, "yes, " + std::string{answerText(e.verdict)}};
 }
 
 std::vector<ShownTest> testsShown(const SortRun& run, const Event& compare) {
@@ -298,7 +261,7 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
       finding.bold = "P is " + numberAndPart(run, e->P) + ".";
       break;
     case Event::Kind::Compare:
-      finding.bold = verdictText(*e);
+      finding.bold = kVerdicts[static_cast<std::size_t>(e->verdict)];
       finding.alarm = e->verdict == Verdict::Crossing;
       break;
     case Event::Kind::Move:

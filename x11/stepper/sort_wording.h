@@ -20,6 +20,8 @@ namespace xnewell {
 /// `test: P 85 body, Q 482 spout`; shorter if there is no Q.
 [[nodiscard]] std::string stepInWords(const SortRun& run);
 
+/// The tests in the order of the table, from 0.
+[[nodiscard]] constexpr Test testAt(int row) { return static_cast<Test>(row + 1); }
 /// `1`, `3'`, or `=` for two polygons in one plane.
 [[nodiscard]] std::string_view shortNameOf(Test test);
 /// `P behind Q's plane?`
