@@ -52,6 +52,19 @@ std::vector<std::string> planeNumbers(const Explainer& explainer, int of, int ot
 constexpr std::array<std::string_view, 3> kVerdicts{
     "P may be painted before Q.", "Q must be painted before P.", "P and Q pass through each other."};
 
+/// By Event::Kind; some depend on more.
+constexpr std::array<std::string_view, 9> kFindings{"",
+                                                    "",
+                                                    "Q goes first.",
+                                                    "The order is a cycle.",
+                                                    "The plane of Q does not cut P.",
+                                                    "A cut here leaves the cycle.",
+                                                    "P and Q only touch.",
+                                                    "P is cut in two.",
+                                                    "P is painted."};
+constexpr std::array kAlarming{Event::Kind::Cycle, Event::Kind::Impossible, Event::Kind::Vain,
+                               Event::Kind::Split};
+
 /// What is wrong with a step of another program, by Falsehood.
 constexpr std::array<std::string_view, kFalsehoods.size()> kWrong{"The answer is wrong.",
                                                                   "A test is left out.",
@@ -256,55 +269,26 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
 
   StepFinding finding{.bold = "", .why = sentenceOf(run)};
   const std::vector<const FalseStep*> wrong = run.wrong();
-  switch (e->kind) {
-    case Event::Kind::Take:
-      finding.bold = "P is " + numberAndPart(run, e->P) + ".";
-      break;
-    case Event::Kind::Compare:
-      finding.bold = kVerdicts[static_cast<std::size_t>(e->verdict)];
-      finding.alarm = e->verdict == Verdict::Crossing;
-      break;
-    case Event::Kind::Move:
-      finding.bold = "Q goes first.";
-      break;
-    case Event::Kind::Cycle:
-      finding.bold = "The order is a cycle.";
-      finding.alarm = true;
-      break;
-    case Event::Kind::Impossible:
-      finding.bold = "The plane of Q does not cut P.";
-      finding.alarm = true;
-      break;
-    case Event::Kind::Vain:
-      finding.bold = "A cut here leaves the cycle.";
-      finding.alarm = true;
-      break;
-    case Event::Kind::Void:
-      finding.bold = "P and Q only touch.";
-      break;
-    case Event::Kind::Split:
-      finding.bold = run.asTested()->P == e->P ? "P is cut in two." : "Q is cut in two.";
-      if (const Event* const compare = comparisonAt(run.sorted(), view.step);
-          compare && compare->verdict == Verdict::Crossing)
-        finding.why = "P and Q pass through each other" +
-                      std::string{compare->P == e->P ? ": " : "; Q is smaller, so it is cut: "} + finding.why;
-      else if (!compare || compare->P != e->P)
-        finding.why += " The steps before show why.";
-      finding.alarm = true;
-      break;
-    case Event::Kind::Paint:
-      finding.bold = run.replay().step() == run.steps() && run.waiting().empty()
-                         ? "P is painted. It was the last polygon."
-                         : "P is painted.";
-      break;
+  finding.bold = kFindings[static_cast<std::size_t>(e->kind)];
+  if (e->kind == Event::Kind::Take) finding.bold = "P is " + numberAndPart(run, e->P) + ".";
+  if (e->kind == Event::Kind::Compare) finding.bold = kVerdicts[static_cast<std::size_t>(e->verdict)];
+  if (e->kind == Event::Kind::Split) {
+    if (run.asTested()->P != e->P) finding.bold = "Q is cut in two.";
+    if (const Event* const compare = comparisonAt(run.sorted(), view.step);
+        compare && compare->verdict == Verdict::Crossing && !run.theirs())
+      finding.why = "P and Q pass through each other" +
+                    std::string{compare->P == e->P ? ": " : "; Q is smaller, so it is cut: "} + finding.why;
+    else if (!compare || compare->P != e->P)
+      finding.why += " The steps before show why.";
   }
-  if (saysNo(run, *e)) {
-    finding.bold = std::string{"Test "} + std::string{shortNameOf(e->test)} + " does not tell.";
-    finding.alarm = false;
-  }
+  if (e->kind == Event::Kind::Paint && run.replay().step() == run.steps() && run.waiting().empty())
+    finding.bold += " It was the last polygon.";
+  finding.alarm = e->kind == Event::Kind::Compare ? e->verdict == Verdict::Crossing
+                                                  : std::ranges::find(kAlarming, e->kind) != kAlarming.end();
+  if (saysNo(run, *e)) finding.bold = "Test " + std::string{shortNameOf(e->test)} + " does not tell.";
+  if (run.theirs()) finding.alarm = !wrong.empty();
   if (!wrong.empty()) {
     finding.bold = kWrong[static_cast<std::size_t>(wrong[0]->kind)];
-    finding.alarm = true;
     finding.why.clear();
     for (const FalseStep* one : wrong)
       finding.why += (finding.why.empty() ? "" : " ") +
