@@ -169,7 +169,8 @@ int tellJudgement(const Options& options, Scene scene) {
 int tellRun(const Options& options, Scene scene) {
   const RunFile run{options.window.run};
   std::optional<Doing> judging{"judging"};
-  const RunReport report = judgeRun(pictureFor(options, std::move(scene), options.window.run, run.size()), run);
+  const RunReport report =
+      judgeRun(pictureFor(options, std::move(scene), options.window.run, run.size()), run);
   judging.reset();
   std::cout << (options.json ? page::asJson : page::asText)(pageOf(report));
   return report.wrong.empty() ? kDone : kOutside;

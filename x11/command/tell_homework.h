@@ -21,8 +21,8 @@ int tellSceneFor(const Options& options);
 /// of its own. kDone if the order is right, else kOutside. @throws ParseError, std::system_error for the file
 int tellJudgement(const Options& options, Scene scene);
 
-/// Says of the run of another depth sort in options.window.run which step is false first, and why. kDone if none is,
-/// else kOutside. @throws ParseError, std::system_error for the file
+/// Says of the run of another depth sort in options.window.run which step is false first, and why. kDone if
+/// none is, else kOutside. @throws ParseError, std::system_error for the file
 int tellRun(const Options& options, Scene scene);
 
 /// Marks all files in the folder options.handedIn, writes a row each, and prints a summary. An interrupt

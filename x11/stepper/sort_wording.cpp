@@ -1,6 +1,8 @@
 #include "x11/stepper/sort_wording.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 
 #include "shading/color/font.h"
