@@ -146,7 +146,8 @@ TEST(TheirRun, PredictsAndHasItsOwnView) {
     s.draw();
     if (!s.bench.view().asking) continue;
     ++asked;
-    s.press(std::string{kAnswerKeys[static_cast<std::size_t>(s.run().verdict())]});
+    s.press(std::string{
+        kAnswerKeys[static_cast<std::size_t>(s.run().compared(s.event().P, s.event().Q).verdict)]});
   }
   EXPECT_EQ(s.bench.view().score, (Score{asked, asked}));
   EXPECT_GE(asked, 2);
