@@ -1,6 +1,7 @@
 #include "depthsort/record/explain.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -30,73 +31,44 @@ std::string filled(std::string_view text, const std::string& P, const std::strin
   return sentence;
 }
 
+/// Why a test settles a pair with P first, or if it is one of the last two, with Q first. In one plane and in
+/// the overlap the verdict decides.
+constexpr std::array<std::string_view, kTests> kReasons{
+    "{P} and {Q} lie in one plane, where the later face of the scene counts as nearer: that is {Q}, so {P} "
+    "may be "
+    "painted first.",
+    "the x-extents of {P} and {Q} do not overlap, so {P} cannot hide {Q} and may be painted first.",
+    "the y-extents of {P} and {Q} do not overlap, so {P} cannot hide {Q} and may be painted first.",
+    "{P} lies wholly behind the plane of {Q}, so it cannot hide {Q} and may be painted first.",
+    "{Q} lies wholly in front of the plane of {P}, so {P} cannot hide it and may be painted first.",
+    "the projections of {P} and {Q} do not overlap, so {P} cannot hide {Q} and may be painted first.",
+    "{Q} lies wholly behind the plane of {P}, so it cannot hide {P} and may be painted before it.",
+    "{P} lies wholly in front of the plane of {Q}, so {Q} cannot hide it and may be painted before it.",
+    "where they overlap, {P} is nowhere nearer than {Q}, so it may be painted first."};
+
 std::string_view reasonOf(Test test, Verdict verdict) {
-  switch (test) {
-    case Test::SamePlane:
-      return verdict == Verdict::PFirst ? "{P} and {Q} lie in one plane, where the later face of the scene "
-                                          "counts as nearer: that is "
-                                          "{Q}, so {P} may be painted first."
-                                        : "{P} and {Q} lie in one plane, where the later face of the scene "
-                                          "counts as nearer: that is "
-                                          "{P}, so {Q} may be painted first.";
-    case Test::XExtents:
-      return "the x-extents of {P} and {Q} do not overlap, so {P} cannot hide {Q} and may be painted first.";
-    case Test::YExtents:
-      return "the y-extents of {P} and {Q} do not overlap, so {P} cannot hide {Q} and may be painted first.";
-    case Test::PBehindQ:
-      return "{P} lies wholly behind the plane of {Q}, so it cannot hide {Q} and may be painted first.";
-    case Test::QInFrontOfP:
-      return "{Q} lies wholly in front of the plane of {P}, so {P} cannot hide it and may be painted first.";
-    case Test::Projections:
-      return "the projections of {P} and {Q} do not overlap, so {P} cannot hide {Q} and may be painted "
-             "first.";
-    case Test::QBehindP:
-      return "{Q} lies wholly behind the plane of {P}, so it cannot hide {P} and may be painted before it.";
-    case Test::PInFrontOfQ:
-      return "{P} lies wholly in front of the plane of {Q}, so {Q} cannot hide it and may be painted before "
-             "it.";
-    case Test::Overlap:
-      switch (verdict) {
-        case Verdict::PFirst:
-          return "where they overlap, {P} is nowhere nearer than {Q}, so it may be painted first.";
-        case Verdict::QFirst:
-          return "where they overlap, {Q} is nowhere nearer than {P}, so it may be painted first.";
-        case Verdict::Crossing:
-          return "where they overlap, {P} is nearer in one part and {Q} in another: one of them must be "
-                 "split.";
-      }
-  }
-  return "";
+  if (verdict == Verdict::Crossing)
+    return "where they overlap, {P} is nearer in one part and {Q} in another: one of them must be split.";
+  if (verdict == Verdict::QFirst && test == Test::SamePlane)
+    return "{P} and {Q} lie in one plane, where the later face of the scene counts as nearer: that is {P}, "
+           "so {Q} "
+           "may be painted first.";
+  if (verdict == Verdict::QFirst && test == Test::Overlap)
+    return "where they overlap, {Q} is nowhere nearer than {P}, so it may be painted first.";
+  return kReasons[static_cast<std::size_t>(test)];
 }
 
 /// Why a test does not prove what it asks for.
-std::string_view refutationOf(Test test) {
-  switch (test) {
-    case Test::SamePlane:
-      return "{P} and {Q} lie in different planes.";
-    case Test::XExtents:
-      return "the x-extents of {P} and {Q} overlap.";
-    case Test::YExtents:
-      return "the y-extents of {P} and {Q} overlap.";
-    case Test::PBehindQ:
-      return "a part of {P} lies in front of the plane of {Q}.";
-    case Test::QInFrontOfP:
-      return "a part of {Q} lies behind the plane of {P}.";
-    case Test::Projections:
-      return "the projections of {P} and {Q} overlap.";
-    case Test::QBehindP:
-      return "a part of {Q} lies in front of the plane of {P}.";
-    case Test::PInFrontOfQ:
-      return "a part of {P} lies behind the plane of {Q}.";
-    case Test::Overlap:
-      return "";
-  }
-  return "";
-}
-
-std::string_view titleOf(Test test) {
-  return test == Test::SamePlane ? "plane" : kTestRows[static_cast<int>(test)].name;
-}
+constexpr std::array<std::string_view, kTests> kRefutations{
+    "{P} and {Q} lie in different planes.",
+    "the x-extents of {P} and {Q} overlap.",
+    "the y-extents of {P} and {Q} overlap.",
+    "a part of {P} lies in front of the plane of {Q}.",
+    "a part of {Q} lies behind the plane of {P}.",
+    "the projections of {P} and {Q} overlap.",
+    "a part of {Q} lies in front of the plane of {P}.",
+    "a part of {P} lies behind the plane of {Q}.",
+    ""};
 
 CornerCounts countsOf(const Regions& regions, const Line& line, const Region& region) {
   CornerCounts counts;
@@ -139,28 +111,18 @@ std::vector<CornerDistance> distancesFromPlane(const SnappedScene& scene, const 
   return distances;
 }
 
+std::optional<PlaneTest> planeTestOf(Test test) {
+  if (test == Test::PBehindQ || test == Test::PInFrontOfQ)
+    return PlaneTest{true, test == Test::PBehindQ ? -1 : 1};
+  if (test == Test::QBehindP || test == Test::QInFrontOfP)
+    return PlaneTest{false, test == Test::QBehindP ? -1 : 1};
+  return std::nullopt;
+}
+
 std::string_view wordFor(Event::Kind kind) {
-  switch (kind) {
-    case Event::Kind::Take:
-      return "take";
-    case Event::Kind::Compare:
-      return "test";
-    case Event::Kind::Move:
-      return "move";
-    case Event::Kind::Cycle:
-      return "cycle";
-    case Event::Kind::Impossible:
-      return "impossible";
-    case Event::Kind::Vain:
-      return "vain";
-    case Event::Kind::Void:
-      return "contact";
-    case Event::Kind::Split:
-      return "cut";
-    case Event::Kind::Paint:
-      return "paint";
-  }
-  return "";
+  constexpr std::array<std::string_view, 9> kWords{"take", "test",    "move", "cycle", "impossible",
+                                                   "vain", "contact", "cut",  "paint"};
+  return kWords[static_cast<std::size_t>(kind)];
 }
 
 std::vector<Test> Explainer::testsMade(const Event& compare) const {
@@ -275,21 +237,20 @@ std::string Explainer::failed(const Event& e, Test test) const {
   const bool aboutPlanes = test == Test::PBehindQ || test == Test::QInFrontOfP;
   if (aboutPlanes && regions_.samePlane(fragments_.face(e.P).plane, fragments_.face(e.Q).plane))
     return filled("{P} and {Q} lie in one plane.", called(e.P, "P"), called(e.Q, "Q"));
-  return filled(refutationOf(test), called(e.P, "P"), called(e.Q, "Q")) +
+  return filled(kRefutations[static_cast<std::size_t>(test)], called(e.P, "P"), called(e.Q, "Q")) +
          (failsByRounding(e, test) ? " Within rounding, it lies on that plane." : "");
 }
 
 bool Explainer::failsByRounding(const Event& e, Test test) const {
-  const bool ofP = test == Test::PBehindQ || test == Test::PInFrontOfQ;
-  const bool aboutPlane = ofP || test == Test::QInFrontOfP || test == Test::QBehindP;
-  if (!aboutPlane || test == e.test) return false;
-  const int allowed = test == Test::PBehindQ || test == Test::QBehindP ? -1 : 1;
-  return std::ranges::all_of(ofP ? distances(e.P, e.Q) : distances(e.Q, e.P),
-                             [&](const CornerDistance& c) { return c.sign == allowed || c.mayBeOn; });
+  const std::optional<PlaneTest> plane = planeTestOf(test);
+  if (!plane || test == e.test) return false;
+  return std::ranges::all_of(plane->ofP ? distances(e.P, e.Q) : distances(e.Q, e.P),
+                             [&](const CornerDistance& c) { return c.sign == plane->side || c.mayBeOn; });
 }
 
 std::string Explainer::sentence(const Event& e, Test test) const {
-  const std::string title = (test == Test::SamePlane ? "Test of the " : "Test ") + std::string{titleOf(test)};
+  const std::string title = (test == Test::SamePlane ? "Test of the " : "Test ") +
+                            std::string{kTestRows[static_cast<std::size_t>(test)].name};
   return title + (test == e.test ? ": " + settled(e) : ": no, " + failed(e, test));
 }
 

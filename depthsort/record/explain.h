@@ -17,6 +17,14 @@ namespace xnewell {
 /// One of `take`, `test`, `move`, `cycle`, `impossible`, `contact`, `cut`, `paint`.
 [[nodiscard]] std::string_view wordFor(Event::Kind kind);
 
+/// Tests 3, 4, 3' and 4': whose corners they look at, and on which side of the other's plane these must lie:
+/// 1 in front, -1 behind.
+struct PlaneTest {
+  bool ofP;
+  int side;
+};
+[[nodiscard]] std::optional<PlaneTest> planeTestOf(Test test);
+
 struct Range {
   double low = 0, high = 0;
   [[nodiscard]] bool overlaps(const Range& other) const { return low <= other.high && other.low <= high; }

@@ -26,7 +26,7 @@ std::optional<Landmark> landmarkOf(const Event& event) {
   return std::nullopt;
 }
 
-Landmarks::Landmarks(const SortedScene& sorted) : sorted_{&sorted} {
+Landmarks::Landmarks(const SortedScene& sorted, std::optional<std::vector<int>> failed) : sorted_{&sorted} {
   int pairs = 0;
   for (int k = 0; k < static_cast<int>(sorted.events.size()); ++k) {
     const Event& e = sorted.events[k];
@@ -35,6 +35,7 @@ Landmarks::Landmarks(const SortedScene& sorted) : sorted_{&sorted} {
     if (const std::optional<Landmark> kind = landmarkOf(e)) of_[static_cast<int>(*kind)].push_back(k + 1);
   }
   pairs_.push_back(pairs);
+  if (failed) of_[static_cast<int>(Landmark::Failed)] = *std::move(failed);
 }
 
 int Landmarks::count(Landmark kind, int step) const {

@@ -32,8 +32,9 @@ inline constexpr std::array kLandmarks{
 /// The landmarks of a run. Memory: 4 bytes for each landmark.
 class Landmarks {
  public:
-  /// `sorted` must be recorded, and it must outlive this object.
-  explicit Landmarks(const SortedScene& sorted);
+  /// `sorted` must be recorded, and it must outlive this object. `failed`: the steps that failed, if somebody
+  /// else has found them.
+  explicit Landmarks(const SortedScene& sorted, std::optional<std::vector<int>> failed = {});
 
   /// All steps of a kind, ascending.
   [[nodiscard]] const std::vector<int>& steps(Landmark kind) const { return of_[static_cast<int>(kind)]; }

@@ -20,7 +20,7 @@ Replay::Replay(const SnappedScene& scene, const SortedScene& sorted)
     if (e.kind == Event::Kind::Take) marks_.push_back({e.P, -1});
     if (e.kind == Event::Kind::Move) marks_.push_back({e.Q, state.top});
     if (e.kind == Event::Kind::Split) pieces_[e.P] = faces_ + 2 * state.splits;
-    if (e.kind == Event::Kind::Split || e.kind == Event::Kind::Paint) ended_[e.P] = k;
+    if (e.kind == Event::Kind::Split || e.kind == Event::Kind::Paint) ended_[e.P] = std::min(ended_[e.P], k);
     advance(state, k);
   }
   if (checkpoints_.empty()) checkpoints_.push_back(state);

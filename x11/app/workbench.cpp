@@ -164,6 +164,7 @@ void Workbench::goTo(const WindowPlace& place) {
     if (place.polygon) scanline_->choose(*place.polygon);
     if (place.polygon || place.step > 0) scanline_->startAt(place.step);
   } else if (place.view != WindowView::Viewing) {
+    if (!place.run.empty()) stepper_->open(place.run, scene());
     stepper_->startAt(place.step);
   }
   if (place.scanline) bands_->choose(*place.scanline);
@@ -179,7 +180,7 @@ void Workbench::goTo(const WindowPlace& place) {
 WindowPlace Workbench::place() const {
   WindowPlace place{.view = view()};
   if (place.view == WindowView::DepthSort)
-    place.step = stepper_->view().own ? 0 : stepper_->view().step;  // of the program's own sort
+    place.run = stepper_->theirs(), place.step = stepper_->view().own ? 0 : stepper_->view().step;
   if (place.view == WindowView::MachBands) place.scanline = bands_->row();
   if (place.view == WindowView::Colors) place.cell = colors_->inspected();
   if (place.view == WindowView::Pixel) place.pixel = pixel_->pixel();

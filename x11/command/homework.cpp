@@ -154,9 +154,10 @@ int tellJudgement(const Options& options, Scene scene) {
 }
 
 int tellRun(const Options& options, Scene scene) {
-  const RunFile run{options.run};
+  const RunFile run{options.window.run};
   std::optional<Doing> judging{"judging"};
-  const RunReport report = judgeRun(pictureFor(options, std::move(scene), options.run, run.size()), run);
+  const RunReport report =
+      judgeRun(pictureFor(options, std::move(scene), options.window.run, run.size()), run);
   judging.reset();
   print(options, pageOf(report));
   return report.wrong.empty() ? kDone : kOutside;

@@ -242,7 +242,8 @@ constexpr std::array kRuns{
     RunRow{Command::Diagnose, [](auto& o, Input in) { return tellDiagnosis(o, std::move(in.scene)); }},
     RunRow{Command::Judge,
            [](auto& o, Input in) {
-             return o.run.empty() ? tellJudgement(o, std::move(in.scene)) : tellRun(o, std::move(in.scene));
+             return o.window.run.empty() ? tellJudgement(o, std::move(in.scene))
+                                         : tellRun(o, std::move(in.scene));
            }},
     RunRow{Command::Grade, [](auto& o, Input in) { return gradeFolder(o, std::move(in.scene)); }},
     RunRow{Command::Questions, [](auto& o, Input in) { return tellQuestions(o, in.scene); }},

@@ -78,51 +78,39 @@ class Teller {
   [[nodiscard]] RunStep stepOf(const Event& e) const {
     return {.kind = e.kind, .P = polygon(e.P), .Q = polygon(e.Q), .step = replay_.step()};
   }
-  [[nodiscard]] Json begun(const Event& e) const { return asJson(stepOf(e)); }
-  void finish(Json object, const Event& e) {
-    object["says"] = explainer_.sentence(e, splits_);
-    line(object);
-  }
 
   void tell(const Event& e) {
-    switch (e.kind) {
-      case Event::Kind::Take: {
-        Json take = begun(e);
-        take["numbers"] = {{"P_z", json(explainer_.zExtent(e.P))}};
-        return finish(std::move(take), e);
-      }
-      case Event::Kind::Compare:
-        return tests(e);
-      case Event::Kind::Move:
-        return finish(begun(e), e);
-      case Event::Kind::Cycle:
-        return cycle(e);
-      case Event::Kind::Impossible:
-      case Event::Kind::Vain: {
-        Json noCut = begun(e);
-        noCut["numbers"] = {{"P_from_plane_of_Q", json(explainer_.corners(e.P, e.Q))}};
-        return finish(std::move(noCut), e);
-      }
-      case Event::Kind::Void: {
-        Json contact = begun(e);
-        contact["numbers"] = json(explainer_.commonArea(e.P, e.Q));
-        return finish(std::move(contact), e);
-      }
-      case Event::Kind::Split: {
-        const int behind = explainer_.fragments().pieceOf(splits_);
-        RunStep step = stepOf(e);
-        step.behind = polygon(behind), step.inFront = polygon(behind + 1);
-        Json cut = asJson(step);
-        cut["numbers"] = {{"P_from_plane_of_Q", json(explainer_.corners(e.P, e.Q))}};
-        return finish(std::move(cut), e);
-      }
-      case Event::Kind::Paint: {
-        Json paint = begun(e);
-        paint["face"] = explainer_.fragments().face(e.P).number;
-        paint["painted"] = replay_.painted();
-        return finish(std::move(paint), e);
-      }
+    if (e.kind == Event::Kind::Compare) return tests(e);
+    RunStep step = stepOf(e);
+    if (e.kind == Event::Kind::Split) {
+      const int behind = explainer_.fragments().pieceOf(splits_);
+      step.behind = polygon(behind), step.inFront = polygon(behind + 1);
     }
+    Json object = asJson(step);
+    switch (e.kind) {
+      case Event::Kind::Take:
+        object["numbers"] = {{"P_z", json(explainer_.zExtent(e.P))}};
+        break;
+      case Event::Kind::Cycle:
+        addMembers(object, e);
+        break;
+      case Event::Kind::Impossible:
+      case Event::Kind::Vain:
+      case Event::Kind::Split:
+        object["numbers"] = {{"P_from_plane_of_Q", json(explainer_.corners(e.P, e.Q))}};
+        break;
+      case Event::Kind::Void:
+        object["numbers"] = json(explainer_.commonArea(e.P, e.Q));
+        break;
+      case Event::Kind::Paint:
+        object["face"] = explainer_.fragments().face(e.P).number;
+        object["painted"] = replay_.painted();
+        break;
+      default:
+        break;
+    }
+    object["says"] = explainer_.sentence(e, splits_);
+    line(object);
   }
 
   void tests(const Event& e) {
@@ -145,17 +133,14 @@ class Teller {
   }
 
   [[nodiscard]] Json numbersOf(const Event& e, Test test) const {
+    if (const std::optional<PlaneTest> plane = planeTestOf(test))
+      return plane->ofP ? Json{{"P_from_plane_of_Q", json(explainer_.corners(e.P, e.Q))}}
+                        : Json{{"Q_from_plane_of_P", json(explainer_.corners(e.Q, e.P))}};
     switch (test) {
       case Test::XExtents:
         return {{"P_x", json(explainer_.xExtent(e.P))}, {"Q_x", json(explainer_.xExtent(e.Q))}};
       case Test::YExtents:
         return {{"P_y", json(explainer_.yExtent(e.P))}, {"Q_y", json(explainer_.yExtent(e.Q))}};
-      case Test::PBehindQ:
-      case Test::PInFrontOfQ:
-        return {{"P_from_plane_of_Q", json(explainer_.corners(e.P, e.Q))}};
-      case Test::QInFrontOfP:
-      case Test::QBehindP:
-        return {{"Q_from_plane_of_P", json(explainer_.corners(e.Q, e.P))}};
       case Test::Projections: {
         const auto edge = explainer_.separatingEdge(e.P, e.Q);
         if (!edge) return {{"separating_edge", nullptr}};
@@ -172,22 +157,21 @@ class Teller {
         numbers["contact"] = e.contact;
         return numbers;
       }
+      default:
+        return {};
     }
-    return {};
   }
 
   /// The members of the cycle, from Q, which would come first, to P. Each must be painted after the next one.
-  void cycle(const Event& e) {
+  void addMembers(Json& object, const Event& e) const {
     constexpr std::size_t kMostNamed = 100;
     std::vector<int> members = replay_.marked();
     members.erase(std::ranges::find(members, e.Q) + 1, members.end());
     std::ranges::reverse(members);
-    Json object = begun(e);
     object["length"] = members.size();
     Json& names = object["members"] = Json::array();
     for (std::size_t k = 0; k < std::min(members.size(), kMostNamed); ++k)
       names.push_back(explainer_.name(members[k]));
-    finish(std::move(object), e);
   }
 
   void summary() {

@@ -45,7 +45,7 @@ struct Found {
   std::string_view outcome = {};
   double off = 0;
   Place at = {};
-  int samples = 0, i = 0, j = 0;
+  Hidden seen = {};  ///< where it shows; without the rows
   int fragmentP = -1, fragmentQ = -1;
   std::vector<int> round = {};  ///< polygons of a loop
   std::vector<int> right = {};  ///< polygons that would have been right
@@ -117,9 +117,7 @@ class RunJudge {
         return split(P, Q);
       case Event::Kind::Void:
         return goOn();
-      case Event::Kind::Cycle:
-      case Event::Kind::Impossible:
-      case Event::Kind::Vain:
+      default:
         return;
     }
   }
@@ -178,11 +176,12 @@ class RunJudge {
   [[nodiscard]] int samplesNearer(int P, int Q, Found* first = nullptr) const {
     int samples = 0;
     forEachPair(P, Q, [&](int p, int q) {
-      run_.record.forEachHidden(p, q, [&](int i, int j) {
-        if (samples++ == 0 && first) first->i = i, first->j = j, first->fragmentP = q, first->fragmentQ = p;
-      });
+      const Hidden here = run_.record.hidden(p, q);
+      if (samples == 0 && here.samples > 0 && first)
+        first->seen = {.i = here.i, .j = here.j}, first->fragmentP = q, first->fragmentQ = p;
+      samples += here.samples;
     });
-    if (first) first->samples = samples;
+    if (first) first->seen.samples = samples;
     return samples;
   }
   /// True if P may be painted before Q, whatever rounding says.
@@ -213,26 +212,14 @@ class RunJudge {
     Truth all{.noIsWrong = true};
     forEachPair(P, Q, [&](int p, int q) {
       Truth one;
-      switch (test) {
-        case Test::PBehindQ:
-          one = onSide(p, q, -1);
-          break;
-        case Test::QInFrontOfP:
-          one = onSide(q, p, 1);
-          break;
-        case Test::QBehindP:
-          one = onSide(q, p, -1);
-          break;
-        case Test::PInFrontOfQ:
-          one = onSide(p, q, 1);
-          break;
-        case Test::Projections:
-          one = truth(gap(p, q));
-          break;
-        default:
-          one = onSide(p, q, 1);  // in one plane if wholly on both sides of it
-          if (!one.yesIsWrong) one = onSide(p, q, -1);
-          one.noIsWrong = false;
+      if (const std::optional<PlaneTest> plane = planeTestOf(test)) {
+        one = plane->ofP ? onSide(p, q, plane->side) : onSide(q, p, plane->side);
+      } else if (test == Test::Projections) {
+        one = truth(gap(p, q));
+      } else {
+        one = onSide(p, q, 1);  // in one plane if wholly on both sides of it
+        if (!one.yesIsWrong) one = onSide(p, q, -1);
+        one.noIsWrong = false;
       }
       const bool no = all.noIsWrong && one.noIsWrong;
       if (one.yesIsWrong || (no && !all.yesIsWrong)) all = one;
@@ -383,14 +370,9 @@ class RunJudge {
     const std::pair pair{run_.polygonOf(before), run_.polygonOf(p)};
     if (early_.size() >= kMostFound && !early_.contains(pair)) return;
     Found& early = early_[pair];
-    if (early.samples++ == 0)
-      early = {.kind = Falsehood::TooEarly,
-               .line = 0,
-               .samples = 1,
-               .i = i,
-               .j = j,
-               .fragmentP = before,
-               .fragmentQ = p};
+    if (early.seen.samples++ == 0)
+      early = {
+          .kind = Falsehood::TooEarly, .line = 0, .seen = {1, i, j, {}}, .fragmentP = before, .fragmentQ = p};
   }
 
   void split(int P, int Q) {
@@ -511,16 +493,17 @@ class RunJudge {
             checkOf(scene_, part(nearest_[at]).fragment.face, face, i, j) == SampleCheck::Doubtful)
           continue;
         Found& one = lost[scene_.faces[face].number];
-        if (one.samples++ == 0)
-          one = {.kind = Falsehood::Lost, .line = 0, .samples = 1, .i = i, .j = j, .fragmentP = face};
+        if (one.seen.samples++ == 0)
+          one = {.kind = Falsehood::Lost, .line = 0, .seen = {1, i, j, {}}, .fragmentP = face};
       }
     for (auto& [number, one] : lost) {
       for (int id = 0; id < run_.record.parts() && one.P < 0; ++id)
         if (const int P = run_.polygonOf(id); P >= 0 && part(id).fragment.face == one.fragmentP &&
                                               run_[P].state == NamedRun::Polygon::State::Waiting &&
-                                              owns(part(id).region, one.i, one.j))
+                                              owns(part(id).region, one.seen.i, one.seen.j))
           one.P = P;
       if (one.P < 0) one.P = run_.add({"face " + std::to_string(number), number});
+      one.right = {one.P};
       tell(one);
     }
   }
@@ -584,23 +567,21 @@ class RunJudge {
                    .right = f.right,
                    .told = f.told};
     std::string& says = step.says;
-    const std::string shows =
-        counted(f.samples, "sample") + ", such as " + std::to_string(f.i) + ',' + std::to_string(f.j);
-    if (f.samples > 0)
-      step.numbers = {{"samples", f.samples}, {"pixel", page::List{f.i, f.j}}};
+    const std::string shows = f.seen.inWords();
+    if (f.seen.samples > 0)
+      step.numbers = {{"samples", f.seen.samples}, {"pixel", page::List{f.seen.i, f.seen.j}}};
     else if (f.off > 0)
       step.numbers = {{"pixels", f.off}};
     const std::string off = significant(f.off, 4) + " pixels";
     const std::string named = P + " (P) and " + Q + " (Q)";
-    const auto asks = [&] {
-      return *f.test == Test::Overlap ? "is P nowhere nearer where they overlap?"
-                                      : std::string{kTestRows[static_cast<int>(*f.test)].asks};
-    };
+    const TestRow& row = kTestRows[static_cast<std::size_t>(f.test.value_or(Test::SamePlane))];
+    const std::string test = "test " + std::string{row.name} + " of " + named,
+                      asks = row.id == Test::Overlap ? "is P nowhere nearer where they overlap?"
+                                                     : std::string{row.asks};
     switch (f.kind) {
       case Falsehood::Answer: {
         const bool yes = f.outcome == "yes" || f.outcome == nameOf(Verdict::PFirst);
-        says = "test " + testName(*f.test) + " of " + named + " says " + std::string{f.outcome} + ": " +
-               asks() + (yes ? " No" : " Yes");
+        says = test + " says " + std::string{f.outcome} + ": " + asks + (yes ? " No" : " Yes");
         if (*f.test == Test::Overlap)
           says += f.off > 0 ? ": P is nearer at " + counted(static_cast<int>(f.off), "sample") : "";
         else if (*f.test == Test::XExtents || *f.test == Test::YExtents || *f.test == Test::Projections)
@@ -611,8 +592,7 @@ class RunJudge {
         break;
       }
       case Falsehood::LeftOut:
-        says = "test " + testName(*f.test) + " of " + named +
-               " is left out, and it would have told: " + asks() + " Yes";
+        says = test + " is left out, and it would have told: " + asks + " Yes";
         break;
       case Falsehood::NotFirst:
         says =
@@ -659,9 +639,6 @@ class RunJudge {
     }
     if (says.ends_with('.')) says.pop_back();
     return step;
-  }
-  [[nodiscard]] static std::string testName(Test test) {
-    return std::string{kTestRows[static_cast<int>(test)].name};
   }
 
   const Picture& picture_;

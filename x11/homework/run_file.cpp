@@ -150,6 +150,8 @@ RunFile::RunFile(const std::string& file) : name_{file}, text_{readTextFile(file
                   });
 }
 
+std::size_t RunFile::lines() const { return static_cast<std::size_t>(std::ranges::count(text_, '\n')) + 1; }
+
 void RunFile::forEach(const std::function<void(const RunStep&)>& use) const {
   forEachJsonLine(text_, name_, kExample, [&](const Json& json, int line) {
     const auto word = json.find("event");

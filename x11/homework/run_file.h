@@ -57,6 +57,7 @@ class RunFile {
   /// @throws std::system_error; ParseError for a file of more than 256 MB
   explicit RunFile(const std::string& file);
   [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] std::size_t lines() const;
   /// What the first line says of the picture.
   [[nodiscard]] std::optional<glm::ivec2> size() const { return size_; }
   /// Lines that only tell of the run are left out. @throws ParseError for what is no such line, and for a

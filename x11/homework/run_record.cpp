@@ -7,8 +7,13 @@
 #include "depthsort/fragment_spans.h"
 #include "depthsort/pieces.h"
 #include "shading/laboratory/exactness.h"
+#include "x11/drawing/wording.h"
 
 namespace xnewell {
+
+std::string Hidden::inWords() const {
+  return counted(samples, "sample") + ", such as " + std::to_string(i) + ',' + std::to_string(j);
+}
 
 RunRecord::RunRecord(const Picture& picture, bool all)
     : picture_{picture},
@@ -24,8 +29,9 @@ RunRecord::RunRecord(const Picture& picture, bool all)
   }
 }
 
-void RunRecord::forEachHidden(int P, int Q, const std::function<void(int i, int j)>& use) const {
-  if (!parts_[P].extents.box.overlaps(parts_[Q].extents.box)) return;
+Hidden RunRecord::hidden(int P, int Q) const {
+  Hidden found;
+  if (!parts_[P].extents.box.overlaps(parts_[Q].extents.box)) return found;
   const int width = picture_.settings().width, height = picture_.settings().height;
   std::map<int, std::vector<Columns>> rows;
   forEachSpan(scene(), sorted_, parts_[P].fragment, width, height, [&](int row, int from, int to) {
@@ -33,13 +39,21 @@ void RunRecord::forEachHidden(int P, int Q, const std::function<void(int i, int 
   });
   const ScreenPlane &p = scene().planes[face(P).plane], &q = scene().planes[face(Q).plane];
   const int ofP = parts_[P].fragment.face, ofQ = parts_[Q].fragment.face;
+  const auto add = [&](int i, int row) {
+    if (found.samples++ == 0) found.i = i, found.j = row;
+    if (!found.rows.empty() && found.rows.back().row == row && found.rows.back().to == i)
+      ++found.rows.back().to;
+    else
+      found.rows.push_back({row, i, i + 1});
+  };
   forEachSpan(scene(), sorted_, parts_[Q].fragment, width, height, [&](int row, int from, int to) {
     const auto at = rows.find(row);
     if (at == rows.end()) return;
     for (const Columns& columns : at->second)
       for (int i = std::max(from, columns.from); i < std::min(to, columns.to); ++i)
-        if (nearer(p, q, i, row) > 0 && checkOf(scene(), ofQ, ofP, i, row) == SampleCheck::Wrong) use(i, row);
+        if (nearer(p, q, i, row) > 0 && checkOf(scene(), ofQ, ofP, i, row) == SampleCheck::Wrong) add(i, row);
   });
+  return found;
 }
 
 void RunRecord::take(int P) {
@@ -169,7 +183,10 @@ NamedRun::Step NamedRun::step(const RunStep& s, const std::function<void(const S
   const bool shows = !p.empty() && (step.Q < 0 || !q.empty());
   switch (*s.kind) {
     case Event::Kind::Take:
-      if (shows) record.take(p[0]);
+      if (!shows) break;
+      if (record.marked() == std::vector{p[0]} && !record.sorted().events.empty())
+        record.add({.kind = *s.kind, .P = p[0]});  // again, with no other mark to lose
+      record.take(p[0]);
       break;
     case Event::Kind::Compare:
       if (shows) record.add({.kind = *s.kind, .test = *s.test, .verdict = s.said(), .P = p[0], .Q = q[0]});
@@ -183,11 +200,7 @@ NamedRun::Step NamedRun::step(const RunStep& s, const std::function<void(const S
     case Event::Kind::Split:
       split(s, step);
       break;
-    case Event::Kind::Cycle:
-    case Event::Kind::Impossible:
-    case Event::Kind::Vain:
-    case Event::Kind::Void:
-      // The contact of a cycle changes marks, which are the program's own.
+    default:  // the contact of a cycle changes marks, which are the program's own
       if (shows && *s.kind != Event::Kind::Void) record.add({.kind = *s.kind, .P = p[0], .Q = q[0]});
       break;
   }

@@ -12,6 +12,19 @@
 
 namespace xnewell {
 
+/// Samples of a row: columns [from, to).
+struct SampleRow {
+  int row = 0, from = 0, to = 0;
+  bool operator==(const SampleRow&) const = default;
+};
+/// Samples where one polygon hides another, and the first of them.
+struct Hidden {
+  int samples = 0, i = 0, j = 0;
+  std::vector<SampleRow> rows = {};
+
+  [[nodiscard]] std::string inWords() const;  ///< "12 samples, such as 3,4"
+};
+
 /// A run of the depth sort that somebody else makes, recorded as the program records its own: the student's
 /// by hand, or that of another program. Any steps make a record that can be replayed.
 class RunRecord {
@@ -41,9 +54,9 @@ class RunRecord {
   }
   [[nodiscard]] bool crosses(int P, int Q) { return tests_.crosses(shape(P), shape(Q)); }
   [[nodiscard]] Relation compare(int P, int Q) { return tests_.compare(shape(P), shape(Q)); }
-  /// Calls use(i, j) for each sample of both where Q must be painted before P: P is nearer there, and
-  /// rounding alone does not part them.
-  void forEachHidden(int P, int Q, const std::function<void(int i, int j)>& use) const;
+  /// The samples of both where Q must be painted before P: P is nearer there, and rounding alone does not
+  /// part them.
+  [[nodiscard]] Hidden hidden(int P, int Q) const;
 
   /// The list before the first step.
   void begin(std::vector<int> list) { sorted_.list = std::move(list); }

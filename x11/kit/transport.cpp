@@ -171,7 +171,8 @@ void drawTimeline(Pen& pen, const TransportLayout& layout, const TransportState&
       if (marks[i] == 0 || (state.asking && !done[i])) continue;
       const int high = lane.many ? std::max(3, height * marks[i] / most) : height;
       const int width = lane.many || i + 1 == at.width ? 1 : 2;
-      pen.paint.fillRect({at.x + i, bottom - 2 - high, width, high}, pen(done[i] ? lane.cell : Cell::Faint));
+      pen.paint.fillRect({at.x + i, bottom - 2 - high, width, high},
+                         pen(done[i] || lane.ahead ? lane.cell : Cell::Faint));
     }
   }
   pen.paint.vline(head, at.y - 4, at.height + 4, pen(Cell::Ink));

@@ -65,7 +65,8 @@ struct Lane {
   std::string_view name;
   const std::vector<int>& steps;
   Cell cell = Cell::Ink;
-  bool many = false;  ///< so many steps that a mark's height tells how many are there
+  bool many = false;   ///< so many steps that a mark's height tells how many are there
+  bool ahead = false;  ///< later steps have the colour, too
 };
 
 /// What the page shows.

@@ -251,9 +251,10 @@ std::vector<OptionRow> rowsFor(Options& o) {
            "about how many seconds of the processor's time to measure, at most",
            "trade " + textOf(TradeRequest{}.seconds) + ", --accuracy " + textOf(kAccuracySeconds))
       .only({"trade", "--accuracy"});
-  r.named("--run", o.run, "file",
-          "judge: the steps of a depth sort, as xnewell_run.h or trace writes them, in place of an order")
-      .only({"judge"});
+  r.named("--run", o.window.run, "file",
+          "the steps of a depth sort of your own, as xnewell_run.h or trace writes them: view depthsort of a "
+          "window shows them; judge: in place of an order")
+      .only({"judge", "view", "--whole-window"});
   r.flag("--whole-window", o.wholeWindow,
          "snapshot: the window with all its controls; trace --frames: with the stepper at each step")
       .only({"snapshot", "trace --frames"});
@@ -390,6 +391,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     o.picture.camera = completed(o.picture.camera, carriedCamera);
     o.scene = carried.scene;
   }
+  if (o.command == Command::View && !o.window.run.empty() && !o.gave("--view"))
+    o.viewName = "depthsort", o.window.view = WindowView::DepthSort;
   blaming(o.carrier, [&] { checkUsage(o, rows); });
   return o;
 }

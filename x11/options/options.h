@@ -121,7 +121,6 @@ struct Options {
   bool commandMeant = false;        ///< no command was given, and the first argument may be a mistyped one
   std::string scene = "teapot";     ///< or the lesson's name, or the lecture's file
   std::string carrier;              ///< the picture that carries the scene's name and its set-up; "" for none
-  std::string run;                  ///< judge: the run of another program; "" for none
   std::string handedIn;             ///< diagnose, judge, grade: the picture, order or folder; "" for none
   std::optional<glm::ivec2> pixel;  ///< explain: column and row, from the top left
   int divisions = kDefaultDivisions;

@@ -26,7 +26,6 @@ struct Clash {
 constexpr std::array kClashes{
     Clash{"explained", "--viewing", "a pixel and --viewing"},
     Clash{"handed-in", "--run", "an order and --run"},
-    Clash{"--output", "--run", "-o and --run"},
     Clash{"--frames", "--answers"},
     Clash{"--worksheet", "--answers"},
     Clash{"--frames", "--step"},
@@ -138,6 +137,7 @@ void checkOutput(const Options& o) {
     throw UsageError{std::string{row.name} + " needs -o " + std::string{row.output}};
   constexpr std::array<std::string_view, 8> kOtherPictures{".jpg", ".jpeg", ".gif", ".bmp",
                                                            ".ppm", ".tif",  ".svg", ".pdf"};
+  exclude(o.command == Command::Judge && o.gave("--run"), !o.output.empty(), "-o and --run");
   if (row.is(kPng) && std::ranges::any_of(kOtherPictures, [&](auto end) { return o.output.ends_with(end); }))
     throw UsageError{"-o " + o.output + ": pictures are PNG files; call it .png"};
   if (o.command != Command::Figure) return;
@@ -155,7 +155,7 @@ void checkWords(const Options& o) {
   const std::string name{row.name};
   const bool given = o.gave("scene");
   if (row.is(kNeedsScene) && !given) throw UsageError{name + " needs a scene, such as teapot"};
-  if (!row.takes.empty() && o.handedIn.empty() && o.run.empty())
+  if (!row.takes.empty() && o.handedIn.empty() && o.window.run.empty())
     throw UsageError{name + " needs, after the scene, " + std::string{row.takes}};
   if (o.command == Command::Explain && !o.pixel && !o.gave("--viewing"))
     throw UsageError{"explain needs a pixel X,Y of the picture, such as 400,300: xnewell explain " + o.scene +

@@ -45,7 +45,7 @@ std::vector<Override> besideOf(const std::string& text) {
 
 std::vector<std::pair<std::string, std::string>> optionsOf(const WindowPlace& at) {
   std::vector<std::pair<std::string, std::string>> options;
-  if (at.step > 0) options.emplace_back("--step", std::to_string(at.step));
+  if (at.step > 0 && at.run.empty()) options.emplace_back("--step", std::to_string(at.step));
   if (at.scanline) options.emplace_back("--scanline", std::to_string(*at.scanline));
   if (at.polygon) options.emplace_back("--scanline", *at.polygon);
   if (at.cell) options.emplace_back("--cell", std::to_string(*at.cell));

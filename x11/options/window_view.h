@@ -47,7 +47,8 @@ inline constexpr std::array kWindowViews{
 /// Where a view begins, beside its scene and the set-up.
 struct WindowPlace {
   WindowView view = WindowView::Picture;
-  int step = 0;  ///< of the depth sort, or of the polygon that is filled; of view 9 the stage, from 1
+  int step = 0;          ///< of the depth sort, or of the polygon that is filled; of view 9 the stage, from 1
+  std::string run = {};  ///< of view 2, and of judge: the file with the run of another program; "" for none
   std::optional<int> scanline = {};         ///< of the view of Mach bands
   std::optional<int> cell = {};             ///< of the view of the colours
   std::optional<std::string> polygon = {};  ///< of view 0: "59.1", or "59" for the face's first part

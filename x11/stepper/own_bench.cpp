@@ -16,14 +16,6 @@ namespace xnewell {
 
 /// The part of the stepper's view in which the student sorts.
 
-namespace {
-
-constexpr std::array kNamedTests{Test::XExtents, Test::YExtents, Test::PBehindQ, Test::QInFrontOfP,
-                                 Test::Projections};
-static_assert(kNamedTests.size() == kOwnTests);
-
-}  // namespace
-
 void SortBench::sortOneself(bool on) {
   SortView& view = player_.view;
   view.playing = view.asking = false;
@@ -149,7 +141,7 @@ void SortBench::act(int index) {
 void SortBench::tellTest(int index) {
   const int P = view().own->P, Q = view().own->Q;
   const auto known = view().own->passed;
-  const OwnSort::Reply reply = own_->tell(*run(), kNamedTests[index], P, Q);
+  const OwnSort::Reply reply = own_->tell(*run(), testAt(index), P, Q);
   showOwn(P, Q, reply);
   player_.view.own->passed = known;
   player_.view.own->passed[index] = reply.told;
@@ -226,7 +218,7 @@ void SortBench::addOwnKeys(KeyTable& table) {
 }
 
 /// Without --size, which the file says.
-std::string SortBench::judgeCommand(const std::string& file) const {
+std::string SortBench::judgeCommand(const std::string& what) const {
   constexpr std::string_view kDraw = "xnewell draw ", kTo = " -o picture.png";
   const PictureSettings& settings = picture_->settings();
   const std::string size =
@@ -240,7 +232,7 @@ std::string SortBench::judgeCommand(const std::string& file) const {
   if (!command.starts_with(kDraw) || !command.ends_with(kTo)) return "";
   if (const std::size_t at = command.find(size); at != std::string::npos) command.erase(at, size.size());
   return "xnewell judge " + command.substr(kDraw.size(), command.size() - kDraw.size() - kTo.size()) + ' ' +
-         quoted(file);
+         what;
 }
 
 void SortBench::askToWrite() {
@@ -255,7 +247,7 @@ void SortBench::askToWrite() {
         const std::vector<PaintStep> steps = own_->steps(*run());
         const glm::ivec2 size{picture_->settings().width, picture_->settings().height};
         writeFile(file, paintOrderText(steps, size));
-        judges_ = judgeCommand(file);
+        judges_ = judgeCommand(quoted(file));
         host_.tell(file + " is written: " + counted(std::ssize(steps), "step") + " in a picture of " +
                    sizeText(size.x, size.y) + "; C copies the command that judges it.");
       }));

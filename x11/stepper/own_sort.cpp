@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
 #include "shading/diagnose/pair_scene.h"
@@ -14,21 +13,12 @@ namespace xnewell {
 
 namespace {
 
-std::string samplesText(int samples, int i, int j) {
-  return counted(samples, "sample") + ", such as " + std::to_string(i) + "," + std::to_string(j);
-}
-
 /// "Test 3".
 std::string testText(Test test) { return "Test " + std::string{shortNameOf(test)}; }
 
 /// The page's name of a polygon, in a sentence: `polygon a`, `polygon a.b`, `face 12`, `face 12b`.
 std::string polygonName(const Fragments& fragments, int id) {
   return (fragments.hasName(id) ? "polygon " : "") + fragments.name(id);
-}
-
-std::string capitalized(std::string words) {
-  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-  return words;
 }
 
 /// Why only a cut helps: "polygons must be painted a before b before c before a".
@@ -53,18 +43,6 @@ std::unique_ptr<SortRun> OwnSort::makeRun(std::uint8_t ground) const {
   return run;
 }
 
-OwnSort::Hidden OwnSort::hidden(int P, int R) const {
-  Hidden found;
-  record_.forEachHidden(P, R, [&](int i, int row) {
-    if (found.samples++ == 0) found.i = i, found.j = row;
-    if (!found.rows.empty() && found.rows.back().row == row && found.rows.back().to == i)
-      ++found.rows.back().to;
-    else
-      found.rows.push_back({row, i, i + 1});
-  });
-  return found;
-}
-
 OwnSort::Reply OwnSort::refuse(std::string bold, std::string why) {
   score_.add(false);
   return {false, std::move(bold), std::move(why)};
@@ -84,7 +62,7 @@ OwnSort::Reply OwnSort::paint(const SortRun& run, int P, int Q) {
   std::vector<SampleRow> spoilt;
   for (const int R : run.waiting()) {
     if (R == P) continue;
-    Hidden here = hidden(P, R);
+    Hidden here = record_.hidden(P, R);
     spoilt.insert(spoilt.end(), here.rows.begin(), here.rows.end());
     if (here.samples > most.samples) most = std::move(here), covers = R;
   }
@@ -98,8 +76,8 @@ OwnSort::Reply OwnSort::paint(const SortRun& run, int P, int Q) {
     const std::string lesson =
         circle ? "Only a cut helps: " + circleText(run, pair.cycle) : capitalized(lessonOf(pair, two));
     reply = {false, name + " is painted too early.",
-             "It is nearer than " + two[0].name + ", which is left to paint, at " +
-                 samplesText(most.samples, most.i, most.j) + ". " + lesson + "."};
+             "It is nearer than " + two[0].name + ", which is left to paint, at " + most.inWords() + ". " +
+                 lesson + "."};
   }
   begin(P, Q);
   record_.paint(P);
@@ -121,9 +99,9 @@ OwnSort::Reply OwnSort::tell(const SortRun& run, Test test, int P, int Q) {
 }
 
 OwnSort::Reply OwnSort::move(const SortRun& run, int P, int Q) {
-  if (const Hidden here = hidden(Q, P); here.samples > 0)
-    return refuse("Q is not moved.", "Q is nearer than P at " + samplesText(here.samples, here.i, here.j) +
-                                         ", so P must be painted before Q.");
+  if (const Hidden here = record_.hidden(Q, P); here.samples > 0)
+    return refuse("Q is not moved.",
+                  "Q is nearer than P at " + here.inWords() + ", so P must be painted before Q.");
   begin(P, Q);
   record_.move(P, Q);
   const std::string first = polygonName(run.fragments(), Q), old = polygonName(run.fragments(), P);

@@ -9,7 +9,6 @@
 #include "shading/diagnose/judge_order.h"
 #include "x11/homework/run_record.h"
 #include "x11/kit/score.h"
-#include "x11/stepper/sample_row.h"
 #include "x11/stepper/sort_run.h"
 
 namespace xnewell {
@@ -69,11 +68,6 @@ class OwnSort {
   [[nodiscard]] std::vector<PaintStep> steps(const SortRun& run) const;
 
  private:
-  /// Where P is nearer than R, at their common samples.
-  struct Hidden {
-    int samples = 0, i = 0, j = 0;
-    std::vector<SampleRow> rows;
-  };
   struct Done {
     RunRecord::State before;
     int P, Q;
@@ -81,7 +75,6 @@ class OwnSort {
     std::vector<SampleRow> spoilt = {};
     Reply reply = {};
   };
-  [[nodiscard]] Hidden hidden(int P, int R) const;
   [[nodiscard]] PaintStep stepOf(const SortRun& run, int id) const;
   void begin(int P, int Q) { done_.push_back({.before = record_.state(), .P = P, .Q = Q}); }
   Reply refuse(std::string bold, std::string why);

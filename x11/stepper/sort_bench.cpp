@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/files/parse_error.h"
+#include "shading/picture/picture_cache.h"
 #include "x11/drawing/wording.h"
+#include "x11/kit/one_line.h"
+#include "x11/options/shell_words.h"
 #include "x11/stepper/sort_page.h"
 #include "x11/stepper/sort_wording.h"
 #include "x11/window/caption.h"
@@ -195,12 +199,42 @@ Setup SortBench::painted(const Setup& setup) const {
   return newell;
 }
 
+void SortBench::open(const std::string& file, const Scene& scene) {
+  RunFile run{file};
+  if (run.lines() > SortRun::kMostEvents)
+    throw ParseError{file, 0,
+                     "more than " + grouped(SortRun::kMostEvents) +
+                         " lines, too many to step through; xnewell judge --run reads them"};
+  PictureSettings settings = host_.setup().picture;
+  const glm::ivec2 size = run.size().value_or(kPictureSize);
+  settings.width = size.x, settings.height = size.y;
+  settings.order = Order::Unsorted, settings.adapt = 0;
+  Picture picture = makePicture(scene, settings).withPlanes();
+  RunReport report = judgeRun(picture, run);
+  theirs_ = std::make_shared<const JudgedRun>(std::move(run), std::move(picture), std::move(report));
+  player_.run.reset(), about_.reset(), drawn_.reset();
+  player_.view.step = 0;
+}
+
+Rect SortBench::theirPicture(const Rect& room, int unit) const {
+  const PictureSettings& size = theirs_->picture.settings();
+  const double most = std::min(1.0 * room.width * unit / size.width, 1.0 * room.height * unit / size.height);
+  const auto side = [&](int pixels) {
+    return std::max(1, static_cast<int>(std::min(1.0, most) * pixels / unit));
+  };
+  const int width = side(size.width), height = side(size.height);
+  return {room.x + (room.width - width) / 2, room.y + (room.height - height) / 2, width, height};
+}
+
 void SortBench::record(const Desk& desk) {
   SortView& view = player_.view;
   const bool sameScene = picture_ && &picture_->scene() == &desk.picture.scene();
   const bool same = sameScene && picture_->snapped().vertices == desk.picture.snapped().vertices;
   if (!sameScene) part_.reset();
-  if ((run() || tooLong_) && same && part_ == recorded_ && picture_->settings() == desk.picture.settings())
+  if (!sameScene && picture_) theirs_.reset();
+  const bool theirs = showsTheirs();
+  if ((run() || tooLong_) && same && theirs == view.theirs && part_ == recorded_ &&
+      picture_->settings() == desk.picture.settings())
     return;
   const bool otherPart = part_ != recorded_;
   recorded_ = part_;
@@ -215,9 +249,13 @@ void SortBench::record(const Desk& desk) {
     view = {.kind = view.kind, .speed = view.speed, .loupe = view.loupe};
   picture_ = desk.picture;
   ground_ = desk.plan[Cell::Well];
+  view.theirs = theirs;
   try {
-    player_.run = std::make_unique<SortRun>(
-        part_ ? desk.picture.onlyWithin(part_->low, part_->high) : desk.picture, desk.plan[Cell::Well]);
+    if (theirs)
+      player_.run = std::make_unique<SortRun>(desk.picture, theirs_, desk.plan[Cell::Well]);
+    else
+      player_.run = std::make_unique<SortRun>(
+          part_ ? desk.picture.onlyWithin(part_->low, part_->high) : desk.picture, desk.plan[Cell::Well]);
   } catch (const TooLongRun&) {
     tooLong_ = true;
     view.playing = false;
@@ -310,7 +348,12 @@ std::string SortBench::aside() const {
   if (part_)
     return "a part: " + grouped(static_cast<std::int64_t>(player_.run->scene().faces.size())) + " of " +
            grouped(static_cast<std::int64_t>(picture_->snapped().faces.size())) + " polygons; Esc: all";
-  if (view().own) return "Y goes back to the program's own sort";
+  if (view().own) return view().theirs ? "Y goes back to the run" : "Y goes back to the program's own sort";
+  if (view().theirs) {
+    const PictureSettings &run = theirs_->picture.settings(), &here = picture_->settings();
+    return oneLine(theirs_->file.name()) + ": a picture of " + sizeText(run.width, run.height) +
+           (run.width == here.width ? "" : ", shown smaller");
+  }
   if (fullColor_) return "in one hue: the picture chooses its colours after all of it is painted";
   return order_ == Order::Newell ? "the textbook's run; the picture uses a quicker one, which may cut others"
                                  : "Newell's sort; the picture itself: " + orderInWords(order_);
@@ -322,6 +365,7 @@ std::vector<std::string> SortBench::inWords() const {
 }
 
 std::optional<std::string> SortBench::command() const {
+  if (player_.run && view().theirs) return judgeCommand("--run " + quoted(theirs_->file.name()));
   if (!player_.run || !view().own) return {};
   return judges_.empty() ? judgeCommand("order.jsonl") : judges_;
 }

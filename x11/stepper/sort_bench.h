@@ -48,6 +48,10 @@ class SortBench : public Bench {
   void goTo(int step) { player_.goTo(step); }
   /// The step to begin with when the next run is recorded.
   void startAt(int step) { start_ = step; }
+  /// Shows the run of another program from now on. @throws ParseError if it is none of the scene
+  void open(const std::string& file, const Scene& scene);
+  /// Its file, if it is shown; or else "".
+  [[nodiscard]] std::string theirs() const { return view().theirs ? theirs_->file.name() : ""; }
   /// What is shown, and where it is.
   [[nodiscard]] const SortView& view() const { return player_.view; }
   [[nodiscard]] const SortDrawn& places() const { return places_; }
@@ -61,8 +65,16 @@ class SortBench : public Bench {
 
  private:
   [[nodiscard]] SortLayout layoutIn(const Layout& at) const {
-    return layoutOfSort(at.body, at.drawer == Drawer::Shut, view().own.has_value());
+    SortLayout sort = layoutOfSort(at.body, at.drawer == Drawer::Shut, view().own.has_value());
+    if (showsTheirs()) sort.picture = theirPicture(sort.picture, at.unit);
+    return sort;
   }
+  /// True if the run of another program was opened, and the view is still its own.
+  [[nodiscard]] bool showsTheirs() const {
+    return theirs_ && theirs_->picture.settings().camera == host_.setup().picture.camera;
+  }
+  /// The place for a picture of their size, or else of their shape.
+  [[nodiscard]] Rect theirPicture(const Rect& room, int unit) const;
   void record(const Desk& desk);
   /// After the view has changed, the step of the new run that is most like the one shown before. Tells the
   /// user which one it is.
@@ -95,10 +107,11 @@ class SortBench : public Bench {
   void tellTest(int index);
   void undoOwn();
   void askToWrite();
-  /// The command that judges a file of the student's order.
-  [[nodiscard]] std::string judgeCommand(const std::string& file) const;
+  /// The command that judges a file of the student's order, or a run.
+  [[nodiscard]] std::string judgeCommand(const std::string& what) const;
 
   SortPlayer player_;
+  std::shared_ptr<const JudgedRun> theirs_;
   std::unique_ptr<OwnSort> own_;     ///< kept when the student leaves it
   std::unique_ptr<SortRun> newell_;  ///< the program's run, while the student's is shown
   int newellStep_ = 0;

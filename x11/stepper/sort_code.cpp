@@ -4,6 +4,7 @@
 #include <array>
 
 #include "x11/drawing/wording.h"
+#include "x11/stepper/sort_wording.h"
 
 namespace xnewell {
 
@@ -52,64 +53,12 @@ constexpr std::array<std::string_view, kLines> kText{"sort the polygons by their
                                                      "      no split helps: another pair",
                                                      "  paint P"};
 
-/// The line of a test, and the tests that failed before it.
-SortLine lineOf(Test test) {
-  switch (test) {
-    case Test::SamePlane:
-      return OnePlane;
-    case Test::XExtents:
-      return TestOne;
-    case Test::YExtents:
-      return TestTwo;
-    case Test::PBehindQ:
-      return TestThree;
-    case Test::QInFrontOfP:
-      return TestFour;
-    case Test::Projections:
-      return TestFive;
-    case Test::QBehindP:
-      return TestThreeOther;
-    case Test::PInFrontOfQ:
-      return TestFourOther;
-    case Test::Overlap:
-      return Nearer;
-  }
-  return Nearer;
-}
+/// The line of each test, and of each kind of event but a comparison.
+constexpr std::array<SortLine, kTests> kTestLines{
+    OnePlane, TestOne, TestTwo, TestThree, TestFour, TestFive, TestThreeOther, TestFourOther, Nearer};
+constexpr std::array kEventLines{TakeP, Sort, MoveQ, IsMarked, NoSplit, NoSplit, NoSplit, SplitP, PaintP};
 
-SortLine lineOf(const Event& e) {
-  switch (e.kind) {
-    case Event::Kind::Take:
-      return TakeP;
-    case Event::Kind::Compare:
-      return lineOf(e.test);
-    case Event::Kind::Move:
-      return MoveQ;
-    case Event::Kind::Cycle:
-      return IsMarked;
-    case Event::Kind::Split:
-      return SplitP;
-    case Event::Kind::Impossible:
-    case Event::Kind::Vain:
-    case Event::Kind::Void:
-      return NoSplit;
-    case Event::Kind::Paint:
-      return PaintP;
-  }
-  return Sort;
-}
-
-std::string_view inWords(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::PFirst:
-      return "P first";
-    case Verdict::QFirst:
-      return "Q first";
-    case Verdict::Crossing:
-      return "they cross";
-  }
-  return "";
-}
+SortLine lineOf(Test test) { return kTestLines[static_cast<std::size_t>(test)]; }
 
 }  // namespace
 
@@ -140,15 +89,23 @@ std::vector<CodeLine> sortCode(SortRun& run, const SortView& view) {
       return lines;
     }
     // The tests before it failed. SamePlane is decided by itself.
-    const SortLine now = lineOf(e);
-    if (e.test != Test::SamePlane)
-      for (int k = TestOne; k < now; ++k)
-        if (k != OnePlane)
-          ran(static_cast<SortLine>(k), CodeLine::Ran::Before), values(static_cast<SortLine>(k), "no");
-    values(now, std::string{inWords(e.verdict)});
+    const SortLine now = lineOf(e.test);
+    if (run.theirs()) {
+      for (const auto& [test, answer] : testsShown(run, e)) {
+        ran(lineOf(test), CodeLine::Ran::Before);
+        values(lineOf(test), answer.words);
+      }
+    } else {
+      if (e.test != Test::SamePlane)
+        for (int k = TestOne; k < now; ++k)
+          if (k != OnePlane)
+            ran(static_cast<SortLine>(k), CodeLine::Ran::Before), values(static_cast<SortLine>(k), "no");
+      values(now, std::string{kAnswers[static_cast<std::size_t>(e.verdict)]});
+    }
   }
   if (e.kind == Event::Kind::Take) ran(MarkP, CodeLine::Ran::Before);
-  ran(lineOf(e), CodeLine::Ran::Now);
+  ran(e.kind == Event::Kind::Compare ? lineOf(e.test) : kEventLines[static_cast<std::size_t>(e.kind)],
+      CodeLine::Ran::Now);
   return lines;
 }
 

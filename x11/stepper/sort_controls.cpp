@@ -13,7 +13,7 @@ Control kindsControl(const SortRun& run, const SortView& view) {
                 .is = "the kind of step to jump to",
                 .value = static_cast<double>(view.kind)};
   for (const LandmarkRow& row : kLandmarks) {
-    kinds.options.emplace_back(row.name);
+    kinds.options.emplace_back(nameOf(run, row.id));
     kinds.lacking.push_back(run.landmarks().steps(row.id).empty());
   }
   return kinds;
@@ -22,7 +22,7 @@ Control kindsControl(const SortRun& run, const SortView& view) {
 Control toggleControl(const SortView& view, int index) {
   return {.kind = Control::Kind::Toggle,
           .part = sortId(SortPart::Toggle, index).part,
-          .label = std::string{kToggleNames[index]},
+          .label = view.theirs && index == 0 ? "false step" : std::string{kToggleNames[index]},
           .value = (index == kPredict ? view.predict
                     : index == kOwn   ? view.own.has_value()
                                       : view.stops[index])
@@ -36,7 +36,8 @@ struct KindOfLane {
   Landmark kind;
   std::string_view name;
 };
-constexpr std::array kTimelineLanes{KindOfLane{Landmark::Move, "moves"},
+constexpr std::array kTimelineLanes{KindOfLane{Landmark::Failed, "false"},
+                                    KindOfLane{Landmark::Move, "moves"},
                                     KindOfLane{Landmark::Cycle, "cycles"}, KindOfLane{Landmark::Cut, "cuts"},
                                     KindOfLane{Landmark::Paint, "paint"}};
 
@@ -67,7 +68,7 @@ void drawCounts(SortPen& pen) {
     if (room) pen.softRight(right, y, of);
     y += line;
   };
-  row("pairs", landmarks.pairs(step), landmarks.pairs(all));
+  row(pen.run.theirs() ? "tests" : "pairs", landmarks.pairs(step), landmarks.pairs(all));
   for (const Landmark kind : {Landmark::Move, Landmark::Cycle, Landmark::Cut, Landmark::Paint})
     row(kLandmarks[static_cast<int>(kind)].several, landmarks.count(kind, step), landmarks.count(kind, all));
 
@@ -106,9 +107,13 @@ void drawTransport(SortPen& pen) {
 
 void drawTimeline(SortPen& pen) {
   std::vector<Lane> lanes;
+  const Landmark alarm = pen.run.theirs() ? Landmark::Failed : Landmark::Cut;
+  // Other programs write no cycles, and ours no false steps.
   for (const KindOfLane& lane : kTimelineLanes)
-    lanes.push_back({lane.name, pen.run.landmarks().steps(lane.kind),
-                     lane.kind == Landmark::Cut ? Cell::Alarm : Cell::Ink, lane.kind == Landmark::Paint});
+    if (lane.kind != (pen.run.theirs() ? Landmark::Cycle : Landmark::Failed))
+      lanes.push_back({lane.name, pen.run.landmarks().steps(lane.kind),
+                       lane.kind == alarm ? Cell::Alarm : Cell::Ink, lane.kind == Landmark::Paint,
+                       lane.kind == Landmark::Failed});
   drawTimeline(pen, pen.at, stateOf(pen), lanes);
 }
 

@@ -237,13 +237,11 @@ void drawRows(SortPen& pen, const Axis& axis, const Rows& rows) {
     drawMark(pen, row, at.x + 2, y);
     const Cell cell = row.mark == Mark::Painted ? Cell::Faint : pair ? Cell::Ink : Cell::Soft;
     const Voice voice = pair ? Voice::Bold : Voice::Plain;
-    const std::string number = fitting(pen.run.fragments().number(row.id), 54);
+    const std::string number = fitting(pen.run.number(row.id), 54);
     const int end = std::max(at.x + 54, at.x + 20 + textWidth(number));
     pen.paint.textRight(end, y, number, pen(cell), voice);
     pen.paint.text(end + 8, y, fitting(pen.run.fragments().part(row.id), words.x + words.width - end - 8),
-                   pen(row.mark == Mark::Painted ? Cell::Faint
-                       : pair                    ? Cell::Ink
-                                                 : Cell::Soft));
+                   pen(cell));
     drawBar(pen, axis, row, y);
     y += pen.at.line;
   }

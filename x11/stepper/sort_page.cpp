@@ -44,8 +44,19 @@ SortDrawn drawSortPage(Painter paint, const SortLayout& at, SortRun& run, const 
   const Event* compare = comparisonAt(run.sorted(), view.step);
   if (event && compare && (compare->P != event->P || compare->Q != event->Q)) compare = nullptr;
   if (sorting) compare = nullptr;
+  // Where another program is wrong about a Q that the step does not name, or has not tested, we test it.
+  const std::vector<const FalseStep*> wrong =
+      view.own || view.asking ? std::vector<const FalseStep*>{} : run.wrong();
+  std::optional<Event> ours;
+  for (const FalseStep* one : wrong)
+    if (event && !ours && one->polygonQ >= 0 && !run.partsOf(one->polygonQ).empty()) {
+      if (event->Q < 0) event->Q = run.partsOf(one->polygonQ)[0];
+      if (event->Q != event->P) ours = run.compared(event->P, event->Q);
+    }
+  if (ours && !compare) compare = &*ours;
   const int cut = event && event->kind == Event::Kind::Split ? run.replay().event()->P : -1;
-  SortPen pen{{paint.within(at.body), plan}, at, run, view, event ? &*event : nullptr, compare, cut, list};
+  SortPen pen{
+      {paint.within(at.body), plan}, at, run, view, event ? &*event : nullptr, compare, cut, wrong, list};
   pen.paint.fillRect(at.body, plan[Cell::Paper]);
   SortDrawn drawn;
   drawn.loupe = drawSortPicture(pen);

@@ -13,9 +13,10 @@ struct SortPen : Pen {
   const SortLayout& at;
   SortRun& run;
   const SortView& view;
-  const Event* event;    ///< the event of the step; null at the start
-  const Event* compare;  ///< the tests that led to it; null if there are none
-  int cut;               ///< the polygon that the step cuts, P or Q; -1 if it cuts none
+  const Event* event;                   ///< the event of the step; null at the start
+  const Event* compare;                 ///< the tests that led to it; null if there are none
+  int cut;                              ///< the polygon that the step cuts, P or Q; -1 if it cuts none
+  std::vector<const FalseStep*> wrong;  ///< of another program, if the page may tell it
   const ControlList* list;
 
   [[nodiscard]] int P() const { return event ? event->P : -1; }

@@ -21,11 +21,36 @@ bool outlineWaiting(SortPen& pen, Painter fine, const auto& placed) {
 }
 
 /// Marks the samples that painting too early has spoilt.
-void markSpoilt(SortPen& pen, Painter fine, const Rect& samples) {
-  for (const SampleRow& row : pen.view.own->spoilt) {
+void markSpoilt(SortPen& pen, Painter fine, const Rect& samples, const std::vector<SampleRow>& rows) {
+  for (const SampleRow& row : rows) {
     const Rect marked{samples.x + row.from, samples.y + row.row, row.to - row.from, 1};
     fine.fillRect(marked, pen(Cell::Alarm));
     fine.stipple(marked, Stipple::Quarter, pen(Cell::White));
+  }
+}
+
+/// What is false in a step of another program: the samples where it shows, the outlines that it tells, and
+/// lightly those that would have been right.
+void markFalse(SortPen& pen, Painter fine, const Rect& samples, const auto& placed) {
+  for (const FalseStep* wrong : pen.wrong) {
+    const bool isEarly = wrong->kind == Falsehood::TooEarly, isLate = wrong->kind == Falsehood::NotFirst;
+    if ((isEarly || isLate) && pen.Q() >= 0)
+      markSpoilt(pen, fine, samples,
+                 (isEarly ? pen.run.hidden(pen.P(), pen.Q()) : pen.run.hidden(pen.Q(), pen.P())).rows);
+    for (const int polygon : wrong->right)
+      for (const int id : pen.run.partsOf(polygon)) {
+        tintFragment(pen.paint, pen.at.picture, pen.run.scene(), pen.run.sorted(), id, Stipple::Eighth,
+                     pen(Cell::Good));
+        outline(fine, placed(id), pen(Cell::Good), {2, 3, 3});
+      }
+    const PictureSettings& size = pen.run.theirs()->picture.settings();
+    for (const std::vector<glm::dvec2>& told : wrong->told) {
+      Outline figure;
+      for (const glm::dvec2& at : told)
+        figure.push_back(
+            {samples.x + at.x * samples.width / size.width, samples.y + at.y * samples.height / size.height});
+      outline(fine, figure, pen(Cell::Alarm), {2});
+    }
   }
 }
 
@@ -95,7 +120,8 @@ void drawWords(SortPen& pen, const std::string& words, const Rect& loupe) {
 }  // namespace
 
 int SortPen::left() const {
-  if (!view.own) return static_cast<int>(run.sorted().fragments.size()) - run.replay().painted();
+  if (!view.own && !view.theirs)
+    return static_cast<int>(run.sorted().fragments.size()) - run.replay().painted();
   return static_cast<int>(run.waiting().size());
 }
 
@@ -109,10 +135,11 @@ Rect drawSortPicture(SortPen& pen) {
     return figure;
   };
   const bool outlined = outlineWaiting(pen, paint.pixels(), placed);
-  if (pen.view.own) markSpoilt(pen, paint.pixels(), samples);
+  if (pen.view.own) markSpoilt(pen, paint.pixels(), samples, pen.view.own->spoilt);
   Rect loupe;
   if (pen.event) {
     markPair(pen, paint, placed);
+    markFalse(pen, paint.pixels(), samples, placed);
     if (pen.view.loupe) loupe = drawLoupe(pen);
   }
 

@@ -11,7 +11,15 @@ void SortPlayer::goTo(int step) {
   if (!run) return;  // a question may outlast it
   view.step = std::clamp(step, 0, run->steps());
   view.answer.reset();
-  view.asking = view.predict && !view.own && view.step > 0 && isQuestion(run->sorted().events[view.step - 1]);
+  view.asking = view.predict && !view.own && view.step > 0 && asks(view.step);
+}
+
+bool SortPlayer::asks(int step) const {
+  const std::vector<Event>& events = run->sorted().events;
+  const Event& e = events[step - 1];
+  if (!isQuestion(e) || !run->theirs() || step == 1) return isQuestion(e);
+  const Event& before = events[step - 2];  // their tests of one pair are one question
+  return !isQuestion(before) || before.P != e.P || before.Q != e.Q;
 }
 
 void SortPlayer::moveTo(int step) {
@@ -33,7 +41,7 @@ std::optional<int> SortPlayer::stepOfKind(bool forward) const {
 
 std::string SortPlayer::whyNoJump(bool forward) const {
   if (stepOfKind(forward)) return {};
-  const std::string step = std::string{kLandmarks[static_cast<int>(view.kind)].name} + " step";
+  const std::string step = std::string{nameOf(*run, view.kind)} + " step";
   return (run->landmarks().steps(view.kind).empty()
               ? "This run has no " + step
               : "There is no " + step + (forward ? " after" : " before") + " this one") +
@@ -91,7 +99,7 @@ void SortPlayer::toggle(int index) {
 
 void SortPlayer::answer(int which) {
   view.answer = static_cast<Verdict>(which);
-  view.score.add(*view.answer == run->sorted().events[view.step - 1].verdict);
+  view.score.add(*view.answer == run->verdict());
   view.asking = false;
 }
 
@@ -103,10 +111,11 @@ void SortPlayer::play() {
 }
 
 bool SortPlayer::stopsAt(int step) const {
-  const Event& e = run->sorted().events[step - 1];
-  if (view.predict && !view.own && isQuestion(e)) return true;
-  const std::optional<Landmark> kind = landmarkOf(e);
-  if (kind && view.stops[static_cast<int>(*kind)]) return true;
+  if (view.predict && !view.own && asks(step)) return true;
+  for (const LandmarkRow& row : kLandmarks)
+    if (view.stops[static_cast<int>(row.id)] &&
+        std::ranges::binary_search(run->landmarks().steps(row.id), step))
+      return true;
   return view.stops[kPolygonStop] && view.polygon && run->landmarks().has(run->scene(), *view.polygon, step);
 }
 

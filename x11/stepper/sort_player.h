@@ -42,6 +42,7 @@ class SortPlayer {
 
  private:
   [[nodiscard]] std::optional<int> stepOfKind(bool forward) const;
+  [[nodiscard]] bool asks(int step) const;
   [[nodiscard]] bool stopsAt(int step) const;
 
   Prompt& prompt_;

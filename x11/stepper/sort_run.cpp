@@ -1,5 +1,6 @@
 #include "x11/stepper/sort_run.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -17,6 +18,13 @@ SortedScene recorded(const Picture& picture) {
                                        .mostEvents = SortRun::kMostEvents});
 }
 
+/// What their run does in the picture. It has been judged, so it can be read.
+std::unique_ptr<NamedRun> played(const Picture& picture, const JudgedRun& theirs) {
+  auto run = std::make_unique<NamedRun>(picture.withPlanes(), theirs.picture.snapped(), true);
+  theirs.file.forEach([&](const RunStep& step) { run->step(step); });
+  return run;
+}
+
 }  // namespace
 
 SortRun::SortRun(const Picture& picture, std::uint8_t ground)
@@ -25,12 +33,19 @@ SortRun::SortRun(const Picture& picture, std::uint8_t ground)
 SortRun::SortRun(const Picture& picture, SortedScene sorted, std::uint8_t ground)
     : SortRun{picture.withPlanes(), std::optional{std::move(sorted)}, ground, 0} {}
 
+SortRun::SortRun(const Picture& picture, std::shared_ptr<const JudgedRun> theirs, std::uint8_t ground)
+    : SortRun{picture.withPlanes(), std::nullopt, ground, kCopies, theirs, played(picture, *theirs)} {}
+
 SortRun::SortRun(Picture withPlanes, std::optional<SortedScene> sorted, std::uint8_t ground,
-                 std::size_t copies)
+                 std::size_t copies, std::shared_ptr<const JudgedRun> theirs, std::unique_ptr<NamedRun> named)
     : picture_{std::move(withPlanes)},
-      sorted_{sorted ? *std::move(sorted) : recorded(picture_)},
-      explainer_{picture_.scene().mesh, picture_.snapped(), sorted_, true},
-      landmarks_{sorted_},
+      theirs_{std::move(theirs)},
+      named_{std::move(named)},
+      sorted_{named_   ? named_->record.sorted()
+              : sorted ? *std::move(sorted)
+                       : recorded(picture_)},
+      explainer_{picture_.scene().mesh, picture_.snapped(), sorted_, !named_},
+      landmarks_{sorted_, falseSteps()},
       replay_{picture_.snapped(), sorted_},
       soFar_{picture_, sorted_, ground, copies} {
   explainer_.call(Called::PAndQ);
@@ -39,6 +54,53 @@ SortRun::SortRun(Picture withPlanes, std::optional<SortedScene> sorted, std::uin
   for (int id = 0; id < fragments; ++id) zExtents_.push_back(explainer_.zExtent(id));
   // This makes all copies at once, so that no later step has to wait for them.
   static_cast<void>(soFar_.at(static_cast<int>(sorted_.fragments.size())));
+}
+
+std::optional<std::vector<int>> SortRun::falseSteps() {
+  if (!named_) return std::nullopt;
+  const std::vector<int>& lines = named_->lines();
+  std::vector<int> steps;
+  for (const auto* const all : {&theirs_->report.wrong, &theirs_->report.others})
+    for (const FalseStep& wrong : *all) {
+      // The last step of the line, or the one before it: nothing of it may be visible.
+      const auto after = wrong.line == 0 ? lines.end() : std::ranges::upper_bound(lines, wrong.line);
+      const int step =
+          std::min(std::max(1, static_cast<int>(after - lines.begin())), static_cast<int>(lines.size()));
+      wrong_.emplace(step, &wrong);
+      if (!wrong.follows) steps.push_back(step);
+    }
+  std::ranges::sort(steps);
+  steps.erase(std::ranges::unique(steps).begin(), steps.end());
+  return steps;
+}
+
+std::vector<const FalseStep*> SortRun::wrongAt(int step) const {
+  std::vector<const FalseStep*> all;
+  const auto [first, end] = wrong_.equal_range(step);
+  for (auto at = first; at != end; ++at) all.push_back(at->second);
+  std::ranges::stable_sort(all, {}, &FalseStep::follows);
+  return all;
+}
+
+Event SortRun::compared(int P, int Q) const {
+  const Relation r = named_->record.compare(P, Q);
+  return {.kind = Event::Kind::Compare,
+          .test = r.test,
+          .verdict = r.verdict,
+          .contact = r.contact,
+          .P = P,
+          .Q = Q};
+}
+
+Verdict SortRun::verdict() const {
+  const Event& e = *replay_.event();
+  return named_ ? compared(e.P, e.Q).verdict : e.verdict;
+}
+
+std::string SortRun::number(int id) const {
+  const int polygon = named_ ? named_->polygonOf(id) : -1;
+  const std::int64_t own = polygon < 0 ? -1 : (*named_)[polygon].own;
+  return (own < 0 ? "" : std::to_string(own) + '=') + fragments().number(id);
 }
 
 std::vector<int> SortRun::waiting() const {

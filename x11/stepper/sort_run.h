@@ -1,11 +1,14 @@
 #pragma once
 
+#include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "depthsort/record/explain.h"
 #include "depthsort/record/landmarks.h"
 #include "depthsort/record/replay.h"
+#include "x11/homework/judge_run.h"
 #include "x11/stepper/so_far.h"
 
 namespace xnewell {
@@ -28,6 +31,8 @@ class SortRun {
   SortRun(const Picture& picture, std::uint8_t ground);
   /// A run that somebody else recorded over picture.snapped(), which has planes. It need not be finished.
   SortRun(const Picture& picture, SortedScene sorted, std::uint8_t ground);
+  /// The run of another program, as far as this picture of its view shows it.
+  SortRun(const Picture& picture, std::shared_ptr<const JudgedRun> theirs, std::uint8_t ground);
   SortRun(const SortRun&) = delete;
   SortRun& operator=(const SortRun&) = delete;
   ~SortRun() = default;
@@ -43,6 +48,23 @@ class SortRun {
   /// The event of the present step, with P and Q named as in the tests that led to it. Of two polygons that
   /// pass through each other the smaller is cut, and that may be the Q of the tests. Nothing at the start.
   [[nodiscard]] std::optional<Event> asTested() const;
+  /// What another program has run; null if the run is ours, or made by hand.
+  [[nodiscard]] const JudgedRun* theirs() const { return theirs_.get(); }
+  /// What is false at the present step of their run. What may follow from another step comes last.
+  [[nodiscard]] std::vector<const FalseStep*> wrong() const { return wrongAt(replay_.step()); }
+  [[nodiscard]] std::vector<const FalseStep*> wrongAt(int step) const;
+  /// Their file's line of the present step; 0 at the start.
+  [[nodiscard]] int line() const { return replay_.step() > 0 ? named_->lines()[replay_.step() - 1] : 0; }
+  /// The ids of the fragments that one of their polygons is here.
+  [[nodiscard]] const std::vector<int>& partsOf(int polygon) const { return (*named_)[polygon].parts; }
+  /// What two polygons are to each other, whatever a run says.
+  [[nodiscard]] Event compared(int P, int Q) const;
+  /// The samples where P hides Q.
+  [[nodiscard]] Hidden hidden(int P, int Q) const { return named_->record.hidden(P, Q); }
+  /// What becomes of the two polygons that this step compares.
+  [[nodiscard]] Verdict verdict() const;
+  /// A fragment's number in the list: that of Fragments, after their own number for a piece.
+  [[nodiscard]] std::string number(int id) const;
   /// 0 <= step <= steps().
   void goTo(int step) { replay_.goTo(step); }
   [[nodiscard]] const IndexImage& soFar() { return soFar_.at(replay_.painted()); }
@@ -63,9 +85,15 @@ class SortRun {
   [[nodiscard]] int fragmentAt(int column, int row) const;
 
  private:
-  SortRun(Picture withPlanes, std::optional<SortedScene> sorted, std::uint8_t ground, std::size_t copies);
+  SortRun(Picture withPlanes, std::optional<SortedScene> sorted, std::uint8_t ground, std::size_t copies,
+          std::shared_ptr<const JudgedRun> theirs = {}, std::unique_ptr<NamedRun> named = {});
+  /// The steps that are false, and do not follow from others; nothing if the run is ours.
+  [[nodiscard]] std::optional<std::vector<int>> falseSteps();
 
   const Picture picture_;
+  std::shared_ptr<const JudgedRun> theirs_;
+  std::unique_ptr<NamedRun> named_;                  ///< what their run is in this picture
+  std::multimap<int, const FalseStep*> wrong_ = {};  ///< by step
   SortedScene sorted_;
   Explainer explainer_;
   Landmarks landmarks_;

@@ -10,8 +10,7 @@ namespace xnewell {
 
 namespace {
 
-constexpr std::array kOrder{Test::XExtents,    Test::YExtents, Test::PBehindQ,    Test::QInFrontOfP,
-                            Test::Projections, Test::QBehindP, Test::PInFrontOfQ, Test::Overlap};
+constexpr int kTestsShown = 8;
 
 void drawHeading(SortPen& pen) {
   const Rect& at = pen.at.table;
@@ -47,79 +46,67 @@ void drawAnswer(SortPen& pen, int right, int y, const TestAnswer& answer) {
     pen.paint.cross(x - 17, y - 8, pen(cell));
 }
 
-/// Tests 1 to 5, while the student says which of them tells: what is known of P and Q so far.
-void drawOwnTests(SortPen& pen) {
-  const int numbers = pen.at.table.x + (pen.at.compact ? 174 : 186);
+/// What is known of the tests of P and Q; while the student sorts, of those that were named.
+std::vector<ShownTest> knownTests(const SortPen& pen) {
+  if (!pen.view.own) return pen.told() ? testsShown(pen.run, *pen.compare) : std::vector<ShownTest>{};
+  std::vector<ShownTest> known;
   for (int k = 0; k < kOwnTests; ++k) {
-    const Rect row = pen.at.testRow(k);
-    const Test test = kOrder[k];
-    const int y = row.y + pen.at.line - 4, right = row.x + row.width;
+    const Test test = testAt(k);
     // At an earlier step, only the test that was named then is known.
-    std::optional<bool> passed;
-    if (pen.sorting())
-      passed = pen.view.own->passed[k];
-    else if (pen.compare && pen.compare->test == test)
-      passed = true;
-    if (pen.look(SortPart::Test, k).hovered && pen.sorting()) pen.paint.fillRect(row, pen(Cell::Focus));
-    if (pen.view.own->naming && pen.sorting())
-      pen.key(row.x - 3, y - 11, shortNameOf(test));
-    else
-      pen.soft(row.x, y, shortNameOf(test));
-    const bool pair = pen.Q() >= 0;
-    pen.paint.text(row.x + (pen.at.compact ? 20 : 24), y, questionOf(test),
-                   pen(pair ? Cell::Ink : Cell::Faint));
-    if (passed) {
-      const Event compare{
-          .kind = Event::Kind::Compare, .test = *passed ? test : Test::Overlap, .P = pen.P(), .Q = pen.Q()};
-      const TestAnswer answer = answerOf(compare, test);
-      pen.ink(
-          numbers, y,
-          numbersThatFit(pen.run.explainer(), compare, test, right - textWidth(answer.words) - 24 - numbers));
-      drawAnswer(pen, right, y, answer);
-    } else if (pair && pen.sorting()) {
-      pen.softRight(right, y, "does it tell?");
-    }
+    const bool named = pen.compare && pen.compare->test == test;
+    const std::optional<bool> passed = pen.sorting() ? pen.view.own->passed[k]
+                                       : named       ? std::optional{true}
+                                                     : std::nullopt;
+    if (passed)
+      known.push_back(
+          {test,
+           answerOf({.kind = Event::Kind::Compare, .test = *passed ? test : Test::Overlap, .P = pen.P()},
+                    test)});
   }
+  return known;
 }
 
 }  // namespace
 
 void drawTests(SortPen& pen) {
   drawHeading(pen);
-  if (pen.view.own) return drawOwnTests(pen);
-  const Rect& at = pen.at.table;
-  const int heading = at.height - static_cast<int>(kOrder.size()) * pen.at.line;
-  const int numbers = at.x + (pen.at.compact ? 174 : 186), right = at.x + at.width;
-  const std::vector<Test> made =
-      pen.told() ? pen.run.explainer().testsMade(*pen.compare) : std::vector<Test>{};
+  const bool own = pen.view.own.has_value(), sorting = pen.sorting(), pair = pen.Q() >= 0;
+  const std::vector<ShownTest> known = knownTests(pen);
   // A polygon that is painted has passed against every Q. The table shows by which tests.
-  const bool painted = pen.event && pen.event->kind == Event::Kind::Paint;
+  const bool painted = !own && pen.event && pen.event->kind == Event::Kind::Paint && !pen.compare;
   const std::array<int, kTests> settled =
       painted ? settledFor(pen.run.sorted(), pen.view.step) : std::array<int, kTests>{};
-  int y = at.y + heading + pen.at.line - 4;
-  for (Test test : kOrder) {
+  for (int k = 0; k < (own ? kOwnTests : kTestsShown); ++k) {
     // For two polygons in one plane the face numbers decide, not test 6.
-    if (test == Test::Overlap && std::ranges::find(made, Test::SamePlane) != made.end())
-      test = Test::SamePlane;
+    const bool inPlane = testAt(k) == Test::Overlap &&
+                         std::ranges::find(known, Test::SamePlane, &ShownTest::test) != known.end();
+    const Test test = inPlane ? Test::SamePlane : testAt(k);
     const int pairs = settled[static_cast<int>(test)] +
                       (test == Test::Overlap ? settled[static_cast<int>(Test::SamePlane)] : 0);
-    const bool reached = pairs > 0 || std::ranges::find(made, test) != made.end();
-    if (test == Test::QBehindP) pen.rule(at.x, y - pen.at.line + 4, at.width);
-    const Cell cell = reached ? Cell::Ink : Cell::Faint;
-    pen.paint.text(at.x, y, shortNameOf(test), pen(reached ? Cell::Soft : Cell::Faint));
-    pen.paint.text(at.x + (pen.at.compact ? 20 : 24), y, questionOf(test), pen(cell));
+    const auto shown = std::ranges::find(known, test, &ShownTest::test);
+    const bool reached = own ? pair : pairs > 0 || shown != known.end();
+    const Rect row = pen.at.testRow(k);
+    const int y = row.y + pen.at.line - 4, right = row.x + row.width,
+              numbers = row.x + (pen.at.compact ? 174 : 186);
+    if (test == Test::QBehindP) pen.rule(row.x, row.y, row.width);
+    if (own && sorting && pen.look(SortPart::Test, k).hovered) pen.paint.fillRect(row, pen(Cell::Focus));
+    if (own && sorting && pen.view.own->naming)
+      pen.key(row.x - 3, y - 11, shortNameOf(test));
+    else
+      pen.paint.text(row.x, y, shortNameOf(test), pen(own || reached ? Cell::Soft : Cell::Faint));
+    pen.paint.text(row.x + (pen.at.compact ? 20 : 24), y, questionOf(test),
+                   pen(reached ? Cell::Ink : Cell::Faint));
     if (pairs > 0) {
       pen.ink(numbers, y, "settled it against " + counted(pairs, "polygon"));
-    } else if (reached) {
-      const TestAnswer answer = answerOf(*pen.compare, test);
+    } else if (shown != known.end()) {
+      const Event compare{.kind = Event::Kind::Compare, .P = pen.P(), .Q = pen.Q()};
       pen.ink(numbers, y,
-              numbersThatFit(pen.run.explainer(), *pen.compare, test,
-                             right - textWidth(answer.words) - 24 - numbers));
-      drawAnswer(pen, right, y, answer);
-    } else if (pen.view.asking) {
-      pen.softRight(right, y, "?");
+              numbersThatFit(pen.run.explainer(), own ? compare : *pen.compare, test,
+                             right - textWidth(shown->answer.words) - 24 - numbers));
+      drawAnswer(pen, right, y, shown->answer);
+    } else if (pen.view.asking || (own && pair && sorting)) {
+      pen.softRight(right, y, own ? "does it tell?" : "?");
     }
-    y += pen.at.line;
   }
 }
 

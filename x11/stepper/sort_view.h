@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "depthsort/depth_sort.h"
+#include "x11/homework/run_record.h"
 #include "x11/kit/control.h"
 #include "x11/kit/score.h"
-#include "x11/stepper/sample_row.h"
 #include "x11/stepper/sort_layout.h"
 
 namespace xnewell {
@@ -42,6 +41,7 @@ struct SortView {
   bool loupe = true;                ///< the loupe is shown over the picture
   bool code = false;                ///< the book's lines are shown, in place of side view and list
   bool numbered = false;            ///< the boxes show the digits that tick them
+  bool theirs = false;              ///< the run is that of another program
   std::optional<OwnView> own = {};  ///< the student sorts
   bool operator==(const SortView&) const = default;
 };

@@ -1,6 +1,8 @@
 #include "x11/stepper/sort_wording.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 
 #include "shading/color/font.h"
@@ -49,34 +51,65 @@ std::vector<std::string> planeNumbers(const Explainer& explainer, int of, int ot
   return {count + ": " + each, brief + ": " + each, count, brief};
 }
 
-std::string verdictText(const Event& compare) {
-  switch (compare.verdict) {
-    case Verdict::PFirst:
-      return "P may be painted before Q.";
-    case Verdict::QFirst:
-      return "Q must be painted before P.";
-    case Verdict::Crossing:
-      return "P and Q pass through each other.";
-  }
-  return "";
-}
+constexpr std::array<std::string_view, 3> kVerdicts{
+    "P may be painted before Q.", "Q must be painted before P.", "P and Q pass through each other."};
+
+/// By Event::Kind; some depend on more.
+constexpr std::array<std::string_view, 9> kFindings{"",
+                                                    "",
+                                                    "Q goes first.",
+                                                    "The order is a cycle.",
+                                                    "The plane of Q does not cut P.",
+                                                    "A cut here leaves the cycle.",
+                                                    "P and Q only touch.",
+                                                    "P is cut in two.",
+                                                    "P is painted."};
+constexpr std::array kAlarming{Event::Kind::Cycle, Event::Kind::Impossible, Event::Kind::Vain,
+                               Event::Kind::Split};
+
+/// What is wrong with a step of another program, by Falsehood.
+constexpr std::array<std::string_view, kFalsehoods.size()> kWrong{"The answer is wrong.",
+                                                                  "A test is left out.",
+                                                                  "Q may not go first.",
+                                                                  "P is painted too early.",
+                                                                  "The same again: this does not end.",
+                                                                  "This plane does not cut it.",
+                                                                  "The pieces are exchanged.",
+                                                                  "The pieces are not those of this plane.",
+                                                                  "The pieces do not cover it once.",
+                                                                  "The shading is not copied.",
+                                                                  "P is not there any more.",
+                                                                  "A polygon is lost."};
 
 std::string_view answerText(Verdict verdict) { return kAnswers[static_cast<std::size_t>(verdict)]; }
+
+/// True if another program has made this test, and it does not tell.
+bool saysNo(const SortRun& run, const Event& e) {
+  return run.theirs() && e.kind == Event::Kind::Compare && e.verdict == Verdict::Crossing;
+}
 
 /// The sentence of the step, without its first word, which is in the bold line or the status already.
 std::string sentenceOf(const SortRun& run) {
   const Event& e = *run.replay().event();
   const int splits = run.replay().splits() - (e.kind == Event::Kind::Split);
+  if (saysNo(run, e)) {
+    if (e.test == Test::Overlap) return "Where they overlap, P is nearer somewhere.";
+    return run.explainer().sentence({.kind = e.kind, .test = Test::Overlap, .P = e.P, .Q = e.Q}, e.test);
+  }
   std::string sentence = run.explainer().sentence(e, splits, run.asTested()->P != e.P);
   if (e.kind != Event::Kind::Compare)
     if (const std::size_t colon = sentence.find(": "); colon != std::string::npos) {
-      sentence.erase(0, colon + 2);
-      sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+      return capitalized(sentence.substr(colon + 2));
     }
   return sentence;
 }
 
 }  // namespace
+
+std::string capitalized(std::string words) {
+  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
+}
 
 bool isQuestion(const Event& event) {
   return event.kind == Event::Kind::Compare && event.test != Test::XExtents && event.test != Test::YExtents;
@@ -85,13 +118,18 @@ bool isQuestion(const Event& event) {
 std::string numberAndPart(const SortRun& run, int id) {
   const std::string part = run.fragments().part(id);
   if (run.fragments().hasName(id)) return part;
-  return run.fragments().number(id) + (part.empty() ? "" : " " + part);
+  return run.number(id) + (part.empty() ? "" : " " + part);
 }
 
 std::string stepInWords(const SortRun& run) {
   const std::optional<Event> e = run.asTested();
   if (!e) return "start: nothing is painted";
-  std::string words = std::string{wordFor(e->kind)} + ": P " + numberAndPart(run, e->P);
+  const std::string line = run.theirs() ? "line " + std::to_string(run.line()) + ", " : "";
+  const std::string test =
+      !run.theirs() || e->kind != Event::Kind::Compare
+          ? ""
+          : ' ' + std::string{shortNameOf(e->test)} + (saysNo(run, *e) ? " says no" : " says yes");
+  std::string words = line + std::string{wordFor(e->kind)} + test + ": P " + numberAndPart(run, e->P);
   if (e->Q >= 0) words += ", Q " + numberAndPart(run, e->Q);
   return words;
 }
@@ -101,27 +139,15 @@ std::string_view shortNameOf(Test test) {
 }
 
 std::string_view questionOf(Test test) {
-  switch (test) {
-    case Test::SamePlane:
-      return "in one plane?";
-    case Test::XExtents:
-      return "x-extents apart?";
-    case Test::YExtents:
-      return "y-extents apart?";
-    case Test::PBehindQ:
-      return "P behind Q's plane?";
-    case Test::QInFrontOfP:
-      return "Q in front of P's plane?";
-    case Test::Projections:
-      return "projections apart?";
-    case Test::QBehindP:
-      return "Q behind P's plane?";
-    case Test::PInFrontOfQ:
-      return "P in front of Q's plane?";
-    case Test::Overlap:
-      return "nearer in the overlap?";
-  }
-  return "";
+  constexpr std::array<std::string_view, kTests> kQuestions{
+      "in one plane?",       "x-extents apart?",         "y-extents apart?",
+      "P behind Q's plane?", "Q in front of P's plane?", "projections apart?",
+      "Q behind P's plane?", "P in front of Q's plane?", "nearer in the overlap?"};
+  return kQuestions[static_cast<std::size_t>(test)];
+}
+
+std::string_view nameOf(const SortRun& run, Landmark kind) {
+  return run.theirs() && kind == Landmark::Failed ? "false" : kLandmarks[static_cast<int>(kind)].name;
 }
 
 std::string distanceText(const CornerDistance& corner) {
@@ -130,19 +156,13 @@ std::string distanceText(const CornerDistance& corner) {
 }
 
 std::vector<std::string> numbersOf(const Explainer& explainer, const Event& e, Test test) {
+  if (const std::optional<PlaneTest> plane = planeTestOf(test))
+    return planeNumbers(explainer, plane->ofP ? e.P : e.Q, plane->ofP ? e.Q : e.P, plane->side < 0);
   switch (test) {
     case Test::XExtents:
       return extentNumbers(explainer.xExtent(e.P), explainer.xExtent(e.Q));
     case Test::YExtents:
       return extentNumbers(explainer.yExtent(e.P), explainer.yExtent(e.Q));
-    case Test::PBehindQ:
-      return planeNumbers(explainer, e.P, e.Q, true);
-    case Test::QInFrontOfP:
-      return planeNumbers(explainer, e.Q, e.P, false);
-    case Test::QBehindP:
-      return planeNumbers(explainer, e.Q, e.P, true);
-    case Test::PInFrontOfQ:
-      return planeNumbers(explainer, e.P, e.Q, false);
     case Test::Projections: {
       if (const std::optional<SeparatingEdge> edge = explainer.separatingEdge(e.P, e.Q))
         return {std::string{"an edge of "} + (edge->ofP ? "P has all of Q" : "Q has all of P") +
@@ -166,8 +186,9 @@ std::vector<std::string> numbersOf(const Explainer& explainer, const Event& e, T
                   : "P is in front of Q by " + range,
               "zP - zQ: " + range, range};
     }
+    default:
+      return {""};
   }
-  return {""};
 }
 
 std::string numbersThatFit(const Explainer& explainer, const Event& e, Test test, int width) {
@@ -187,15 +208,37 @@ std::string fitting(std::string_view text, int width) {
 TestAnswer answerOf(const Event& e, Test test) {
   using Mark = TestAnswer::Mark;
   if (test != e.test) return {Mark::Cross, "no"};
-  switch (e.verdict) {
-    case Verdict::PFirst:
-      return {Mark::Tick, "yes, P first"};
-    case Verdict::QFirst:
-      return {Mark::Tick, "yes, Q first"};
-    case Verdict::Crossing:
-      return {Mark::Cross, "both are"};
+  if (e.verdict == Verdict::Crossing) return {Mark::Cross, "both are"};
+  return {Mark::Tick, "yes, " + std::string{answerText(e.verdict)}};
+}
+
+std::vector<ShownTest> testsShown(const SortRun& run, const Event& compare) {
+  using Mark = TestAnswer::Mark;
+  std::vector<ShownTest> tests;
+  const std::vector<Event>& events = run.sorted().events;
+  int step = run.replay().step();
+  if (!run.theirs() || comparisonAt(run.sorted(), step) == nullptr) {
+    for (const Test test : run.explainer().testsMade(compare))
+      tests.push_back({test, answerOf(compare, test)});
+    return tests;
   }
-  return {Mark::Cross, ""};
+  for (const FalseStep* wrong : run.wrong())
+    if (wrong->kind == Falsehood::LeftOut)
+      tests.push_back({*wrong->test, {Mark::Cross, "left out; it is yes"}});
+  while (events[step - 1].kind != Event::Kind::Compare) --step;
+  const int P = events[step - 1].P, Q = events[step - 1].Q;
+  for (; step > 0; --step) {
+    const Event& e = events[step - 1];
+    if (e.kind != Event::Kind::Compare || e.P != P || e.Q != Q) break;
+    const std::vector<const FalseStep*> all = run.wrongAt(step);
+    const bool wrong = std::ranges::find(all, Falsehood::Answer, &FalseStep::kind) != all.end();
+    const std::string yes = "yes", no = "no", &said = e.verdict == Verdict::Crossing ? no : yes;
+    tests.push_back(
+        {e.test,
+         {wrong ? Mark::Cross : Mark::Tick, wrong ? said + "; it is " + (said == no ? yes : no) : said}});
+  }
+  std::ranges::reverse(tests);
+  return tests;
 }
 
 StepFinding findingOf(const SortRun& run, const SortView& view) {
@@ -207,6 +250,15 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
                                  : "",
             own->alarm};
   const auto polygons = static_cast<std::int64_t>(run.sorted().list.size());
+  if (e == nullptr && run.theirs()) {
+    const auto wrong = std::ssize(run.landmarks().steps(Landmark::Failed));
+    return {wrong == 0 ? "No step of this run is false."
+                       : counted(wrong, "step") + " of this run " + (wrong == 1 ? "is" : "are") + " false.",
+            wrong == 0 ? "Each step is shown beside what is right."
+                       : "The timeline shows it in red: j goes to the next one. Each step is shown beside "
+                         "what is right.",
+            "", wrong > 0};
+  }
   if (e == nullptr) {
     if (polygons == 0) return {"There is nothing to sort.", "No polygon of the scene is visible."};
     return {"Nothing is painted yet.",
@@ -218,50 +270,36 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
             "P and Q overlap in x, y and z. Look, then answer; the right arrow shows the answer."};
 
   StepFinding finding{.bold = "", .why = sentenceOf(run)};
-  switch (e->kind) {
-    case Event::Kind::Take:
-      finding.bold = "P is " + numberAndPart(run, e->P) + ".";
-      break;
-    case Event::Kind::Compare:
-      finding.bold = verdictText(*e);
-      finding.alarm = e->verdict == Verdict::Crossing;
-      break;
-    case Event::Kind::Move:
-      finding.bold = "Q goes first.";
-      break;
-    case Event::Kind::Cycle:
-      finding.bold = "The order is a cycle.";
-      finding.alarm = true;
-      break;
-    case Event::Kind::Impossible:
-      finding.bold = "The plane of Q does not cut P.";
-      finding.alarm = true;
-      break;
-    case Event::Kind::Vain:
-      finding.bold = "A cut here leaves the cycle.";
-      finding.alarm = true;
-      break;
-    case Event::Kind::Void:
-      finding.bold = "P and Q only touch.";
-      break;
-    case Event::Kind::Split:
-      finding.bold = run.asTested()->P == e->P ? "P is cut in two." : "Q is cut in two.";
-      if (const Event* const compare = comparisonAt(run.sorted(), view.step);
-          compare && compare->verdict == Verdict::Crossing)
-        finding.why = "P and Q pass through each other" +
-                      std::string{compare->P == e->P ? ": " : "; Q is smaller, so it is cut: "} + finding.why;
-      else if (!compare || compare->P != e->P)
-        finding.why += " The steps before show why.";
-      finding.alarm = true;
-      break;
-    case Event::Kind::Paint:
-      finding.bold =
-          run.replay().step() == run.steps() ? "P is painted. It was the last polygon." : "P is painted.";
-      break;
+  const std::vector<const FalseStep*> wrong = run.wrong();
+  finding.bold = kFindings[static_cast<std::size_t>(e->kind)];
+  if (e->kind == Event::Kind::Take) finding.bold = "P is " + numberAndPart(run, e->P) + ".";
+  if (e->kind == Event::Kind::Compare) finding.bold = kVerdicts[static_cast<std::size_t>(e->verdict)];
+  if (e->kind == Event::Kind::Split) {
+    if (run.asTested()->P != e->P) finding.bold = "Q is cut in two.";
+    if (const Event* const compare = comparisonAt(run.sorted(), view.step);
+        compare && compare->verdict == Verdict::Crossing && !run.theirs())
+      finding.why = "P and Q pass through each other" +
+                    std::string{compare->P == e->P ? ": " : "; Q is smaller, so it is cut: "} + finding.why;
+    else if (!compare || compare->P != e->P)
+      finding.why += " The steps before show why.";
+  }
+  if (e->kind == Event::Kind::Paint && run.replay().step() == run.steps() && run.waiting().empty())
+    finding.bold += " It was the last polygon.";
+  finding.alarm = e->kind == Event::Kind::Compare ? e->verdict == Verdict::Crossing
+                                                  : std::ranges::find(kAlarming, e->kind) != kAlarming.end();
+  if (saysNo(run, *e)) finding.bold = "Test " + std::string{shortNameOf(e->test)} + " does not tell.";
+  if (run.theirs()) finding.alarm = !wrong.empty();
+  if (!wrong.empty()) {
+    finding.bold = kWrong[static_cast<std::size_t>(wrong[0]->kind)];
+    finding.why.clear();
+    for (const FalseStep* one : wrong)
+      finding.why += (finding.why.empty() ? "" : " ") +
+                     std::string{one->follows ? "It may follow from a step before: " : ""} +
+                     capitalized(one->says) + '.';
   }
   if (view.answer)
     finding.aside = "you said: " + std::string{answerText(*view.answer)} +
-                    (*view.answer == e->verdict ? ", and that is right" : "");
+                    (*view.answer == run.verdict() ? ", and that is right" : "");
   return finding;
 }
 
@@ -270,9 +308,9 @@ std::vector<std::string> stepAsLines(const SortRun& run, const SortView& view) {
   if (view.asking) return lines;
   const std::optional<Event> e = run.asTested();
   if (e && e->kind == Event::Kind::Compare && !view.own)
-    for (const Test test : run.explainer().testsMade(*e))
+    for (const auto& [test, answer] : testsShown(run, *e))
       lines.push_back(std::string{shortNameOf(test)} + "   " + std::string{questionOf(test)} + "   " +
-                      numbersOf(run.explainer(), *e, test).front() + "   " + answerOf(*e, test).words);
+                      numbersOf(run.explainer(), *e, test).front() + "   " + answer.words);
   const StepFinding finding = findingOf(run, view);
   if (view.own && view.own->P >= 0) {
     lines.back() = "you sort: P " + numberAndPart(run, view.own->P);

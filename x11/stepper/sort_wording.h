@@ -9,6 +9,8 @@ namespace xnewell {
 
 /// The words and numbers of the stepper's page.
 
+[[nodiscard]] std::string capitalized(std::string words);
+
 /// True if the learner may be asked about the step: it compares two polygons whose extents overlap in x and
 /// y.
 [[nodiscard]] bool isQuestion(const Event& event);
@@ -18,6 +20,8 @@ namespace xnewell {
 /// `test: P 85 body, Q 482 spout`; shorter if there is no Q.
 [[nodiscard]] std::string stepInWords(const SortRun& run);
 
+/// The tests in the order of the table, from 0.
+[[nodiscard]] constexpr Test testAt(int row) { return static_cast<Test>(row + 1); }
 /// `1`, `3'`, or `=` for two polygons in one plane.
 [[nodiscard]] std::string_view shortNameOf(Test test);
 /// `P behind Q's plane?`
@@ -41,6 +45,15 @@ struct TestAnswer {
   std::string words;  ///< `no`, `yes, P first`
 };
 [[nodiscard]] TestAnswer answerOf(const Event& compare, Test test);
+struct ShownTest {
+  Test test;
+  TestAnswer answer;
+};
+/// The tests that led to the present step, the last one last: those of a Compare event, or those that another
+/// program has made of the pair, with our verdict on each.
+[[nodiscard]] std::vector<ShownTest> testsShown(const SortRun& run, const Event& compare);
+/// `false` in place of `failed` in the run of another program.
+[[nodiscard]] std::string_view nameOf(const SortRun& run, Landmark kind);
 
 /// The result of a step.
 struct StepFinding {
