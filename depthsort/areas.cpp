@@ -9,6 +9,7 @@
 
 #include "depthsort/pieces.h"
 #include "depthsort/samples.h"
+#include "geometry/view/scene_planes.h"
 
 namespace xnewell {
 
@@ -101,8 +102,12 @@ class AreaSort {
 void AreaSort::sort(const PolygonList& list, const PixelArea& area) {
   if (list.polygons.empty()) return;
   const int width = area.right - area.left, height = area.bottom - area.top;
+  const auto makePlanes = [&] {
+    if (!divided_ && settings_.planes)
+      for (const Polygon& P : list.polygons) settings_.planes->make(scene_.faces[P.face]);
+  };
   const bool isPixel = width == 1 && height == 1;
-  if (isPixel && !settings_.inPixels) return paintNearest(list, area);
+  if (isPixel && !settings_.inPixels) return makePlanes(), paintNearest(list, area);
 
   const std::size_t fragments = sorted_.fragments.size(), pieces = sorted_.pieces.size(),
                     cuts = sorted_.cuts.size();
@@ -113,6 +118,7 @@ void AreaSort::sort(const PolygonList& list, const PixelArea& area) {
     sorted_.statistics.areas += divided_;
     return;
   }
+  makePlanes();
   divided_ = true;
   sorted_.fragments.resize(fragments), sorted_.pieces.resize(pieces), sorted_.cuts.resize(cuts);
   sorted_.statistics = before;

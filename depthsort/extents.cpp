@@ -17,15 +17,7 @@ int floorToInt(double z) {
 
 }  // namespace
 
-std::vector<std::uint8_t> facesOfPlanes(const SnappedScene& scene) {
-  std::vector<std::uint8_t> faces(scene.planes.size());
-  std::ranges::transform(scene.planes, faces.begin(),
-                         [](const ScreenPlane& plane) { return std::uint8_t{plane.ofModel}; });
-  for (const SnappedFace& face : scene.faces) faces[face.plane] += faces[face.plane] < 2;
-  return faces;
-}
-
-Extents extentsOf(const SnappedScene& scene, const SnappedFace& face, bool vertexDepths) {
+Extents extentsOf(const SnappedScene& scene, const SnappedFace& face) {
   const glm::ivec3* const v = &scene.vertices[face.first];
   Extents e{{v->x, v->y, v->x, v->y}, v->z, v->z};
   for (const glm::ivec3* p = v + 1; p != v + face.count; ++p) {
@@ -34,7 +26,7 @@ Extents extentsOf(const SnappedScene& scene, const SnappedFace& face, bool verte
     e.zFar = std::min(e.zFar, p->z);
     e.zNear = std::max(e.zNear, p->z);
   }
-  if (vertexDepths) return e;
+  if (face.throughVertices) return e;
   double far = kInfinity, near = -far;
   for (const glm::ivec3* p = v; p != v + face.count; ++p) {
     const double z = depthAt(scene.planes[face.plane], p->x, p->y), rounding = 0x1p-50 * std::abs(z);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "depthsort/samples.h"
+#include "geometry/view/scene_planes.h"
 #include "geometry/view/touch.h"
 
 namespace xnewell {
@@ -13,8 +14,8 @@ PairTests::PairTests(const SnappedScene& scene, const SortSettings& settings)
       width_{settings.width},
       height_{settings.height},
       textbook_{settings.textbook},
-      regions_{scene},
-      shared_{facesOfPlanes(scene)} {}
+      planes_{settings.planes},
+      regions_{scene} {}
 
 Relation PairTests::compare(const Shape& P, const Shape& Q) {
   if (textbook_) {
@@ -61,11 +62,12 @@ bool PairTests::passes(Test test, const Shape& P, const Shape& Q) {
 Signs PairTests::signsOver(const Shape& P, const Shape& Q) {
   const SnappedFace &p = P.face, &q = Q.face;
   if (p.plane == q.plane) return {};
+  if (planes_) planes_->make(p), planes_->make(q);
   const ScreenPlane &planeP = scene_.planes[p.plane], &planeQ = scene_.planes[q.plane];
   if (P.piece) return regions_.signs(nearer(p, q), *P.piece);
   Signs signs;
   const glm::ivec3* const v = &scene_.vertices[p.first];
-  if (vertexDepthsAreExact(p)) {
+  if (p.throughVertices) {
     for (int k = 0; k < 3; ++k) {
       const Int128 above = Int128{planeQ.C} * v[k].z - Int128{planeQ.A} * v[k].x - Int128{planeQ.B} * v[k].y -
                            planeQ.D;  // below 2^95

@@ -33,10 +33,6 @@ class PairTests {
  public:
   PairTests(const SnappedScene& scene, const SortSettings& settings);
 
-  /// True if a face's plane passes exactly through its vertices.
-  [[nodiscard]] bool vertexDepthsAreExact(const SnappedFace& face) const {
-    return xnewell::vertexDepthsAreExact(face, shared_);
-  }
   /// Decides whether P may be painted before Q. It makes the tests in the textbook's order or in the quick
   /// one. For the quick one the caller must have compared the boxes.
   [[nodiscard]] Relation compare(const Shape& P, const Shape& Q);
@@ -82,8 +78,8 @@ class PairTests {
   const SnappedScene& scene_;
   int width_, height_;
   bool textbook_;
+  ScenePlanes* planes_;  ///< of SortSettings
   Regions regions_;
-  std::vector<std::uint8_t> shared_;  ///< facesOfPlanes()
   Region bufferP_, bufferQ_, both_, part_;
   Line line_;
 };

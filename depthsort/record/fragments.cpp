@@ -25,8 +25,7 @@ Fragments::Fragments(const Mesh& mesh, const SnappedScene& scene, const SortedSc
       scene_{&scene},
       sorted_{&sorted},
       faces_{static_cast<int>(scene.faces.size())},
-      regions_{scene},
-      facesOfPlane_{facesOfPlanes(scene)} {
+      regions_{scene} {
   for (const Event& e : sorted.events)
     if (e.kind == Event::Kind::Split) splitter_.push_back(face(e.Q).plane);
   for (const int group : mesh.group) ++facesNamed_[mesh.groupNames[group]];
@@ -46,7 +45,7 @@ Region Fragments::region(int id) const {
 }
 
 Extents Fragments::extents(int id) const {
-  if (!isPiece(id)) return extentsOf(*scene_, face(id), vertexDepthsAreExact(face(id), facesOfPlane_));
+  if (!isPiece(id)) return extentsOf(*scene_, face(id));
   return extentsOf(*scene_, face(id), region(id), extents(parent(id)));
 }
 

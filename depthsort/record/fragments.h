@@ -49,7 +49,6 @@ class Fragments {
   const SortedScene* sorted_;
   int faces_;
   Regions regions_;
-  std::vector<std::uint8_t> facesOfPlane_;
   std::vector<int> splitter_;              ///< for each split: the plane that split
   std::map<std::string, int> facesNamed_;  ///< for each group name in the mesh: the number of faces
 };

@@ -11,6 +11,7 @@
 #include "geometry/view/screen_grid.h"
 #include "geometry/view/screen_plane.h"
 #include "geometry/view/view.h"
+#include "geometry/view/zero_pages.h"
 
 namespace xnewell {
 
@@ -37,9 +38,10 @@ struct SnappedFace {
   int number = 0;     ///< face number in the model; every part and piece keeps it
   int part = 0;       ///< index into ConvexParts; what clipping and halving make of one keep it
   bool back = false;  ///< the viewer sees the side from which the model lists the corners clockwise
-  /// Index into SnappedScene::planes. All faces in one plane of the model share one. Before addPlanes() it is
-  /// ConvexParts::plane.
-  int plane = 0;
+  /// True if its plane goes exactly through its vertices. After snap() it is true for each triangle of the
+  /// model that was not clipped; those that share their planes lose it later (scene_planes.h).
+  bool throughVertices = false;
+  int plane = 0;  ///< ConvexParts::plane, and index into SnappedScene::planes
   /// The error bound of the plane of its own corners within the face, from the rounding of the snap and of
   /// the model. mayTouch() in touch.h compares two faces by it.
   Doubt doubt = {};
@@ -56,11 +58,14 @@ struct SnappedScene {
   std::vector<int> source;
   std::vector<Between> between;    ///< vertices that clipping made; each refers only to earlier ones
   std::vector<SnappedFace> faces;  ///< in order of number
-  /// These planes define the depth. The z of a vertex may be off by a step or more. Empty before addPlanes().
-  std::vector<ScreenPlane> planes;
+  /// These planes define the depth. The z of a vertex may be off by a step or more. Those that nobody has
+  /// asked for have C = 0 (scene_planes.h). Empty after snap().
+  SparseVector<ScreenPlane> planes;
+  bool somePlanes = false;  ///< true if perhaps not all of them are made
+  int planesMade = 0;
   /// By SnappedFace::part: how much nearer the plane of the part's own corners (ConvexParts::own) is than its
-  /// record. Empty if all parts have planes of their own, and before addPlanes().
-  std::vector<Ahead> ahead;
+  /// record. Empty if all parts whose planes are made have planes of their own.
+  SparseVector<Ahead> ahead;
   int zShift = 0;
   int polygons = 0;    ///< number of convex parts given
   int culled = 0;      ///< number of back faces removed by choice
@@ -75,12 +80,7 @@ struct SnappedScene {
 [[nodiscard]] SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view, int width,
                                 int height, Cull cull);
 
-/// What only an order that compares planes needs: parts of one plane (ConvexParts::plane) get one plane
-/// record. So they are exactly coplanar, and at a common sample the later one is seen. The record is that of
-/// the plane of the model (plane_record.h). Only a triangle that was not clipped and shares its plane with no
-/// other face has the plane of its snapped vertices: it meets its neighbours exactly in their common
-/// vertices, so they have fewer contacts. Faces of ConvexParts that uniteCoplanar() has not seen have their
-/// Newell planes. Call it once after each snap(), with the same arguments.
+/// Makes all planes of a scene (scene_planes.h). Call it once after each snap(), with the same arguments.
 void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view,
                int width, int height);
 

@@ -68,8 +68,7 @@ class Judge {
         tests_{scene_, {.width = width_, .height = height_, .textbook = true}} {
     for (std::size_t f = 0; f < scene_.faces.size(); ++f)
       facesOf_[scene_.faces[f].number].push_back(static_cast<int>(f));
-    for (const SnappedFace& face : scene_.faces)
-      boxes_.push_back(extentsOf(scene_, face, tests_.vertexDepthsAreExact(face)).box);
+    for (const SnappedFace& face : scene_.faces) boxes_.push_back(extentsOf(scene_, face).box);
   }
 
   OrderReport report() {
@@ -88,8 +87,7 @@ class Judge {
     const PaintStep &a = steps_[wrong.shown], &b = steps_[wrong.hidden];
     const SnappedScene two = withPieces(a, A, b, B);
     PairTests tests{two, {.width = width_, .height = height_, .textbook = true}};
-    const ScreenBox boxA = extentsOf(two, two.faces[0], false).box,
-                    boxB = extentsOf(two, two.faces[1], false).box;
+    const ScreenBox boxA = extentsOf(two, two.faces[0]).box, boxB = extentsOf(two, two.faces[1]).box;
     const Shape P{two.faces[0], 0, boxA, nullptr}, Q{two.faces[1], 1, boxB, nullptr};
     const Relation relation = tests.compare(P, Q);
     if (relation.verdict == Verdict::PFirst) wrong.told = relation.test;
@@ -260,6 +258,7 @@ class Judge {
     two.planes = scene_.planes, two.ahead = scene_.ahead, two.zShift = scene_.zShift;
     for (const auto& [step, index] : {std::pair{&a, faceA}, {&b, faceB}}) {
       SnappedFace face = scene_.faces[index];
+      face.throughVertices = false;
       std::vector<glm::ivec3> outline(scene_.vertices.begin() + face.first,
                                       scene_.vertices.begin() + face.first + face.count);
       if (!step->piece.empty()) {

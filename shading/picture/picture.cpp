@@ -64,7 +64,7 @@ const std::vector<std::uint8_t>& Picture::cells() const {
 
 Picture Picture::withPlanes() const {
   Picture picture = *this;
-  if (!snapped_->planes.empty()) return picture;
+  if (!snapped_->planes.empty() && !snapped_->somePlanes) return picture;
   SnappedScene snapped = *snapped_;
   addPlanes(snapped, shading_.mesh(*scene_), shading_.parts(*scene_), camera_.view, settings_.width,
             settings_.height);

@@ -25,7 +25,7 @@ List listOf(const SnappedScene& scene) {
   List list;
   for (int f = 0; f < static_cast<int>(scene.faces.size()); ++f) {
     const SnappedFace& face = scene.faces[f];
-    list.polygons.push_back({.extents = extentsOf(scene, face, false), .face = f});
+    list.polygons.push_back({.extents = extentsOf(scene, face), .face = f});
   }
   list.byDepth.resize(list.polygons.size());
   std::iota(list.byDepth.begin(), list.byDepth.end(), 0);

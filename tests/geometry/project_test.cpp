@@ -1,4 +1,5 @@
 #include "geometry/view/project.h"
+#include "geometry/view/scene_planes.h"
 
 #include <gtest/gtest.h>
 
@@ -238,6 +239,13 @@ TEST(Project, OnePlaneHasOneRecord) {
         ASSERT_EQ(s.planes.size(), 2u);
         EXPECT_EQ(s.faces[0].plane, s.faces[1].plane);
         EXPECT_NE(s.faces[0].plane, s.faces[2].plane);
+        SnappedScene some = snap(m, parts, view, 512, 512, Cull::Keep);
+        ScenePlanes planes{some, m, parts, view, 512, 512};
+        planes.make(some.faces[1]);  // not the first of its plane
+        EXPECT_EQ(some.planesMade, 1);
+        EXPECT_EQ(some.planes[0], s.planes[0]);
+        EXPECT_EQ(some.planes[1].C, 0);
+        EXPECT_EQ(some.faces[0].doubt.atBack, s.faces[0].doubt.atBack);
         const auto [N, at] = planeOf(m, parts, 0);
         for (const glm::ivec3& v : {s.vertices[s.faces[0].first], s.vertices[s.faces[1].first + 1]}) {
           const long double u = v.x / (256.0L * kGrid) - 1, w = 1 - v.y / (256.0L * kGrid);

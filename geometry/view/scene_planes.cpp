@@ -1,0 +1,110 @@
+#include "geometry/view/scene_planes.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <optional>
+
+#include "geometry/exact/plane.h"
+#include "geometry/model/coplanar.h"
+
+namespace xnewell {
+
+namespace {
+
+/// The plane of a part that is not one of ConvexParts::planes. One plane explains its corners.
+ModelPlane newellPlaneOf(const Mesh& mesh, const ConvexParts& parts, int part) {
+  return {newellPlane(mesh.points, parts.part(part)).N, centroid(mesh.points, parts.part(part))};
+}
+
+}  // namespace
+
+ScenePlanes::ScenePlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts,
+                         const ViewSpec& view, int width, int height)
+    : scene_{scene},
+      mesh_{mesh},
+      parts_{parts},
+      size_{width, height},
+      doubt_{view, width, height, scene.zShift},
+      records_{view, width, height, scene.zShift} {
+  std::size_t planes = 0;
+  for (const SnappedFace& face : scene.faces) planes = std::max(planes, std::size_t(face.plane) + 1);
+  std::vector<std::uint8_t> faces(planes);  // in each plane: 0, 1, or 2 for two or more
+  for (const SnappedFace& face : scene.faces) faces[face.plane] += faces[face.plane] < 2;
+  for (int f = 0; f < std::ssize(scene.faces); ++f) {
+    SnappedFace& face = scene.faces[f];
+    if (faces[face.plane] == 1) continue;
+    face.throughVertices = false;
+    shared_.emplace_back(face.plane, f);
+  }
+  std::ranges::sort(shared_);
+  scene.planes.resize(planes);
+  scene.somePlanes = true;
+}
+
+// The first face of a plane says where its record is needed.
+void ScenePlanes::makeRecord(int f) {
+  SnappedFace& asked = scene_.faces[f];
+  ScreenPlane& record = scene_.planes[asked.plane];
+  ++scene_.planesMade;
+  if (asked.throughVertices) {
+    record = planeThrough(&scene_.vertices[asked.first], 3);
+    asked.doubt = doubt_.of(record, mesh_.roundingOf(asked.number));
+    return;
+  }
+  const std::pair alone{asked.plane, f};
+  std::span<const std::pair<int, int>> together =
+      std::ranges::equal_range(shared_, asked.plane, {}, &std::pair<int, int>::first);
+  if (together.empty()) together = {&alone, 1};
+  const SnappedFace& first = scene_.faces[together.front().second];
+  const ModelPlane plane =
+      parts_.frame ? planeOf(mesh_, parts_, first.part) : newellPlaneOf(mesh_, parts_, first.part);
+  const std::optional<ScreenPlane> ofModel = records_.of(plane, placeInPicture(first));
+  record = ofModel ? *ofModel : planeThroughAll(together);
+  asked.throughVertices = !ofModel && together.size() == 1 && asked.count == 3;
+  for (const auto& [_, g] : together) {
+    SnappedFace& member = scene_.faces[g];
+    member.doubt = doubt_.of(record, mesh_.roundingOf(member.number));
+    if (const ModelPlane* const own = parts_.own.find(member.part); ofModel && own) {
+      scene_.ahead.resize(parts_.count());
+      scene_.ahead[member.part] = records_.ahead(*own, plane, placeInPicture(member));
+    }
+  }
+}
+
+void ScenePlanes::makeAll() {
+  for (const SnappedFace& face : scene_.faces) make(face);
+  scene_.somePlanes = false;
+}
+
+glm::ivec2 ScenePlanes::placeInPicture(const SnappedFace& face) const {
+  glm::ivec2 low = size_ * kGrid, high{0};
+  for (int v = face.first; v < face.first + face.count; ++v) {
+    const glm::ivec2 p{scene_.vertices[v]};
+    low = glm::min(low, p), high = glm::max(high, p);
+  }
+  return glm::clamp(low / 2 + high / 2, glm::ivec2{0}, size_ * kGrid);
+}
+
+ScreenPlane ScenePlanes::planeThroughAll(std::span<const std::pair<int, int>> together) const {
+  std::vector<glm::ivec3> points;
+  for (const auto& [_, g] : together) {
+    const auto outline = scene_.vertices.begin() + scene_.faces[g].first;
+    points.insert(points.end(), outline, outline + scene_.faces[g].count);
+  }
+  return planeThrough(points.data(), static_cast<int>(points.size()));
+}
+
+void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view,
+               int width, int height) {
+  ScenePlanes{scene, mesh, parts, view, width, height}.makeAll();
+}
+
+SnappedScene project(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view, int width, int height,
+                     Cull cull) {
+  SnappedScene scene = snap(mesh, parts, view, width, height, cull);
+  addPlanes(scene, mesh, parts, view, width, height);
+  return scene;
+}
+
+}  // namespace xnewell
