@@ -55,7 +55,7 @@ void countRounding(Mesh& mesh);
 /// Sets ConvexParts::plane, planes, own and frame to the classes.
 void uniteCoplanar(const Mesh& mesh, ConvexParts& parts);
 
-/// The plane of a part, after uniteCoplanar().
+/// The plane of a part. Before uniteCoplanar() it is that of its own corners.
 [[nodiscard]] ModelPlane planeOf(const Mesh& mesh, const ConvexParts& parts, int part);
 
 }  // namespace xnewell

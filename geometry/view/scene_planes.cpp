@@ -5,19 +5,9 @@
 #include <glm/common.hpp>
 #include <optional>
 
-#include "geometry/exact/plane.h"
 #include "geometry/model/coplanar.h"
 
 namespace xnewell {
-
-namespace {
-
-/// The plane of a part that is not one of ConvexParts::planes. One plane explains its corners.
-ModelPlane newellPlaneOf(const Mesh& mesh, const ConvexParts& parts, int part) {
-  return {newellPlane(mesh.points, parts.part(part)).N, centroid(mesh.points, parts.part(part))};
-}
-
-}  // namespace
 
 ScenePlanes::ScenePlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts,
                          const ViewSpec& view, int width, int height)
@@ -57,10 +47,17 @@ void ScenePlanes::makeRecord(int f) {
       std::ranges::equal_range(shared_, asked.plane, {}, &std::pair<int, int>::first);
   if (together.empty()) together = {&alone, 1};
   const SnappedFace& first = scene_.faces[together.front().second];
-  const ModelPlane plane =
-      parts_.frame ? planeOf(mesh_, parts_, first.part) : newellPlaneOf(mesh_, parts_, first.part);
+  const ModelPlane plane = planeOf(mesh_, parts_, first.part);
   const std::optional<ScreenPlane> ofModel = records_.of(plane, placeInPicture(first));
-  record = ofModel ? *ofModel : planeThroughAll(together);
+  if (ofModel) {
+    record = *ofModel;
+  } else {
+    std::vector<glm::ivec3> points;
+    for (const auto& [_, g] : together)
+      for (int k = 0; k < scene_.faces[g].count; ++k)
+        points.push_back(scene_.vertices[scene_.faces[g].first + k]);
+    record = planeThrough(points.data(), static_cast<int>(points.size()));
+  }
   asked.throughVertices = !ofModel && together.size() == 1 && asked.count == 3;
   for (const auto& [_, g] : together) {
     SnappedFace& member = scene_.faces[g];
@@ -84,15 +81,6 @@ glm::ivec2 ScenePlanes::placeInPicture(const SnappedFace& face) const {
     low = glm::min(low, p), high = glm::max(high, p);
   }
   return glm::clamp(low / 2 + high / 2, glm::ivec2{0}, size_ * kGrid);
-}
-
-ScreenPlane ScenePlanes::planeThroughAll(std::span<const std::pair<int, int>> together) const {
-  std::vector<glm::ivec3> points;
-  for (const auto& [_, g] : together) {
-    const auto outline = scene_.vertices.begin() + scene_.faces[g].first;
-    points.insert(points.end(), outline, outline + scene_.faces[g].count);
-  }
-  return planeThrough(points.data(), static_cast<int>(points.size()));
 }
 
 void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view,

@@ -34,8 +34,6 @@ class ScenePlanes {
   void makeRecord(int f);
   /// A place in the picture, in the middle of the face or near it.
   [[nodiscard]] glm::ivec2 placeInPicture(const SnappedFace& face) const;
-  /// The plane through three vertices of some faces.
-  [[nodiscard]] ScreenPlane planeThroughAll(std::span<const std::pair<int, int>> together) const;
 
   SnappedScene& scene_;
   const Mesh& mesh_;
