@@ -54,7 +54,6 @@ TooManyPieces tooManyPieces(std::string_view who, int most) {
 }
 
 SortedScene depthSort(const SnappedScene& scene, const SortSettings& settings) {
-  if (scene.somePlanes && !settings.planes) throw std::logic_error{"a scene without its planes is sorted"};
   SortedScene sorted;
   PairTests tests{scene, settings};
   const PolygonList list = facesOf(scene, settings);

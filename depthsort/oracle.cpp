@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
 
 #include "geometry/view/screen_plane.h"
 
@@ -43,7 +42,6 @@ Columns columnsInside(const glm::ivec3* p, int count, int j, int width) {
 }  // namespace
 
 VisibleFaces::VisibleFaces(const SnappedScene& scene) : scene_{scene} {
-  if (scene.somePlanes) throw std::logic_error{"a scene without its planes is judged"};
   for (const SnappedFace& face : scene.faces) estimates_.emplace_back(scene, face, scene.planes[face.plane]);
 }
 

@@ -59,12 +59,16 @@ bool PairTests::passes(Test test, const Shape& P, const Shape& Q) {
   }
 }
 
+const ScreenPlane& PairTests::planeOf(const SnappedFace& face) {
+  if (planes_) planes_->make(face);
+  return scene_.planes[face.plane];
+}
+
 Signs PairTests::signsOver(const Shape& P, const Shape& Q) {
   const SnappedFace &p = P.face, &q = Q.face;
   if (p.plane == q.plane) return {};
-  if (planes_) planes_->make(p), planes_->make(q);
-  const ScreenPlane &planeP = scene_.planes[p.plane], &planeQ = scene_.planes[q.plane];
   if (P.piece) return regions_.signs(nearer(p, q), *P.piece);
+  const ScreenPlane& planeQ = planeOf(q);
   Signs signs;
   const glm::ivec3* const v = &scene_.vertices[p.first];
   if (p.throughVertices) {
@@ -74,6 +78,7 @@ Signs PairTests::signsOver(const Shape& P, const Shape& Q) {
       signs.add(above < 0 ? -1 : above > 0);
     }
   } else {
+    const ScreenPlane& planeP = planeOf(p);
     for (int k = 0; k < p.count; ++k) signs.add(compareDepths(planeP, planeQ, v[k].x, v[k].y));
   }
   return signs;
@@ -127,7 +132,7 @@ bool PairTests::isDeep(const Region& part, const SnappedFace& front, const Snapp
 }
 
 bool PairTests::counts(const Region& part, const SnappedFace& front, const SnappedFace& behind) const {
-  const bool doubted = front.doubt.atBack + behind.doubt.atBack > 0.0f;
+  const bool doubted = scene_.doubtOf(front).atBack + scene_.doubtOf(behind).atBack > 0.0f;
   if (doubted && !regions_.samePlane(front.plane, behind.plane) && !isDeep(part, front, behind)) return false;
   return isWide(part) || ownsSample(scene_, part, width_, height_);
 }
@@ -167,7 +172,7 @@ const Line& PairTests::nearer(const SnappedFace& p, const SnappedFace& q) {
   if (line_.p == q.plane && line_.q == p.plane)
     line_ = Regions::flipped(line_);
   else if (line_.p != p.plane || line_.q != q.plane)
-    line_ = regions_.cut(p.plane, q.plane);
+    planeOf(p), planeOf(q), line_ = regions_.cut(p.plane, q.plane);
   return line_;
 }
 

@@ -68,6 +68,8 @@ class PairTests {
   /// than a contact. It must be deep (tested only if they lie in two planes), and it must be wide or own a
   /// sample.
   [[nodiscard]] bool counts(const Region& part, const SnappedFace& front, const SnappedFace& behind) const;
+  /// The plane of a face. It is made if need be.
+  const ScreenPlane& planeOf(const SnappedFace& face);
   /// Regions::cut() of both planes. It remembers the last one, because a pair asks for it again and again.
   [[nodiscard]] const Line& nearer(const SnappedFace& p, const SnappedFace& q);
   /// The region of P. For a whole face it is made in `buffer`.

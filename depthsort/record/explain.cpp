@@ -254,7 +254,7 @@ CommonArea Explainer::commonArea(int P, int Q) const {
     const auto x = std::llrint(a.x), y = std::llrint(a.y);
     const double zP = depthAt(scene_->planes[p.plane], x, y), zQ = depthAt(scene_->planes[q.plane], x, y);
     low = std::min(low, zP - zQ), high = std::max(high, zP - zQ);
-    doubt = std::max(doubt, p.doubt.at(zP) + q.doubt.at(zQ));
+    doubt = std::max(doubt, scene_->doubtOf(p).at(zP) + scene_->doubtOf(q).at(zQ));
   }
   common.aheadOfQ = {pixels(low), pixels(high)};
   common.doubt = pixels(doubt);

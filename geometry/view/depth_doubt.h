@@ -7,7 +7,8 @@
 
 namespace xnewell {
 
-/// Computes SnappedFace::doubt: how far the plane of a face's own corners may be off at a sample, in z steps.
+/// Computes PlaneTable::doubtOf(): how far the plane of a face's own corners may be off at a sample, in z
+/// steps.
 ///
 /// The snap moves a point by half a step in each coordinate. This moves a plane with the slopes alpha and
 /// beta by 1/2 + (|alpha| + |beta|) / 2. Rounding in the model moves the plane by r (rounding.h). The terms

@@ -8,27 +8,11 @@
 #include "geometry/model/divide.h"
 #include "geometry/model/mesh.h"
 #include "geometry/view/clip.h"
+#include "geometry/view/plane_table.h"
 #include "geometry/view/screen_grid.h"
-#include "geometry/view/screen_plane.h"
 #include "geometry/view/view.h"
-#include "geometry/view/zero_pages.h"
 
 namespace xnewell {
-
-/// A bound for the error of a plane's z, in z steps, linear in z: rounding in the model moves points near the
-/// eye further (depth_doubt.h). Neither coefficient is negative. If both are 0, the plane counts as exact.
-struct Doubt {
-  float atBack = 0, byZ = 0;
-  [[nodiscard]] double at(double z) const { return atBack + z * byZ; }
-};
-
-/// A difference of depths, in z steps, linear over the screen.
-struct Ahead {
-  double x = 0, y = 0, c = 0;
-  [[nodiscard]] double at(std::int64_t px, std::int64_t py) const {
-    return x * static_cast<double>(px) + y * static_cast<double>(py) + c;
-  }
-};
 
 /// A convex face on the screen grid, ready to be ordered and painted.
 /// Holds:  the outline has an area and runs counter-clockwise as seen on the screen (x right, y down).
@@ -42,9 +26,6 @@ struct SnappedFace {
   /// model that was not clipped; those that share their planes lose it later (scene_planes.h).
   bool throughVertices = false;
   int plane = 0;  ///< ConvexParts::plane, and index into SnappedScene::planes
-  /// The error bound of the plane of its own corners within the face, from the rounding of the snap and of
-  /// the model. mayTouch() in touch.h compares two faces by it.
-  Doubt doubt = {};
 };
 
 /// The scene on the screen grid. From here on, all coordinates are integers.
@@ -58,19 +39,17 @@ struct SnappedScene {
   std::vector<int> source;
   std::vector<Between> between;    ///< vertices that clipping made; each refers only to earlier ones
   std::vector<SnappedFace> faces;  ///< in order of number
-  /// These planes define the depth. The z of a vertex may be off by a step or more. Those that nobody has
-  /// asked for have C = 0 (scene_planes.h). Empty after snap().
-  SparseVector<ScreenPlane> planes;
-  bool somePlanes = false;  ///< true if perhaps not all of them are made
-  int planesMade = 0;
-  /// By SnappedFace::part: how much nearer the plane of the part's own corners (ConvexParts::own) is than its
-  /// record. Empty if all parts whose planes are made have planes of their own.
-  SparseVector<Ahead> ahead;
+  PlaneTable planes;               ///< empty after snap()
   int zShift = 0;
   int polygons = 0;    ///< number of convex parts given
   int culled = 0;      ///< number of back faces removed by choice
   int outside = 0;     ///< number wholly outside the view volume and its guard band
   int degenerate = 0;  ///< number without area on the grid; they cover no sample
+
+  /// mayTouch() (touch.h) compares two of `faces` by their doubts.
+  [[nodiscard]] Doubt doubtOf(const SnappedFace& face) const {
+    return planes.doubtOf(&face - faces.data(), face.plane);
+  }
 };
 
 /// The whole viewing transformation: view, shear, warp, clip, viewport, snap. A vertex that faces share, or a

@@ -28,19 +28,19 @@ ScenePlanes::ScenePlanes(SnappedScene& scene, const Mesh& mesh, const ConvexPart
     shared_.emplace_back(face.plane, f);
   }
   std::ranges::sort(shared_);
-  scene.planes.resize(planes);
-  scene.somePlanes = true;
+  scene.planes.makeRoom(planes);
 }
 
 // The first face of a plane says where its record is needed.
 void ScenePlanes::makeRecord(int f) {
   SnappedFace& asked = scene_.faces[f];
-  ScreenPlane& record = scene_.planes[asked.plane];
-  ++scene_.planesMade;
+  const auto doubt = [&](int g, const ScreenPlane& record) {
+    const double u = mesh_.roundingOf(scene_.faces[g].number);
+    scene_.planes.setDoubt(g, doubt_.of(record, u), scene_.faces.size());
+  };
   if (asked.throughVertices) {
-    record = planeThrough(&scene_.vertices[asked.first], 3);
-    asked.doubt = doubt_.of(record, mesh_.roundingOf(asked.number));
-    return;
+    scene_.planes.set(asked.plane, planeThrough(&scene_.vertices[asked.first], 3));
+    return doubt(f, scene_.planes[asked.plane]);
   }
   const std::pair alone{asked.plane, f};
   std::span<const std::pair<int, int>> together =
@@ -49,29 +49,26 @@ void ScenePlanes::makeRecord(int f) {
   const SnappedFace& first = scene_.faces[together.front().second];
   const ModelPlane plane = planeOf(mesh_, parts_, first.part);
   const std::optional<ScreenPlane> ofModel = records_.of(plane, placeInPicture(first));
-  if (ofModel) {
-    record = *ofModel;
-  } else {
-    std::vector<glm::ivec3> points;
+  std::vector<glm::ivec3> points;
+  if (!ofModel)
     for (const auto& [_, g] : together)
       for (int k = 0; k < scene_.faces[g].count; ++k)
         points.push_back(scene_.vertices[scene_.faces[g].first + k]);
-    record = planeThrough(points.data(), static_cast<int>(points.size()));
-  }
+  const ScreenPlane record =
+      ofModel ? *ofModel : planeThrough(points.data(), static_cast<int>(points.size()));
+  scene_.planes.set(asked.plane, record);
   asked.throughVertices = !ofModel && together.size() == 1 && asked.count == 3;
   for (const auto& [_, g] : together) {
-    SnappedFace& member = scene_.faces[g];
-    member.doubt = doubt_.of(record, mesh_.roundingOf(member.number));
-    if (const ModelPlane* const own = parts_.own.find(member.part); ofModel && own) {
-      scene_.ahead.resize(parts_.count());
-      scene_.ahead[member.part] = records_.ahead(*own, plane, placeInPicture(member));
-    }
+    const SnappedFace& member = scene_.faces[g];
+    doubt(g, record);
+    if (const ModelPlane* const own = parts_.own.find(member.part); ofModel && own)
+      scene_.planes.setAhead(member.part, records_.ahead(*own, plane, placeInPicture(member)),
+                             parts_.count());
   }
 }
 
 void ScenePlanes::makeAll() {
   for (const SnappedFace& face : scene_.faces) make(face);
-  scene_.somePlanes = false;
 }
 
 glm::ivec2 ScenePlanes::placeInPicture(const SnappedFace& face) const {

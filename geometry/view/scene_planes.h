@@ -26,7 +26,7 @@ class ScenePlanes {
 
   /// Makes the record of a face of the scene, unless it is there.
   void make(const SnappedFace& face) {
-    if (scene_.planes[face.plane].C == 0) makeRecord(static_cast<int>(&face - scene_.faces.data()));
+    if (!scene_.planes.has(face.plane)) makeRecord(static_cast<int>(&face - scene_.faces.data()));
   }
   void makeAll();
 

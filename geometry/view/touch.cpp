@@ -13,9 +13,10 @@ bool mayTouch(const SnappedScene& scene, const SnappedFace& front, const Snapped
               std::int64_t y) {
   const double zFront = depthAt(scene.planes[front.plane], x, y),
                zBehind = depthAt(scene.planes[behind.plane], x, y);
-  const double doubt = front.doubt.at(zFront) + behind.doubt.at(zBehind), lead = zFront - zBehind;
-  if (scene.ahead.empty()) return lead <= doubt;
-  const double own = lead + scene.ahead[front.part].at(x, y) - scene.ahead[behind.part].at(x, y);
+  const double doubt = scene.doubtOf(front).at(zFront) + scene.doubtOf(behind).at(zBehind),
+               lead = zFront - zBehind;
+  const double own =
+      lead + scene.planes.ahead(front.part).at(x, y) - scene.planes.ahead(behind.part).at(x, y);
   return own <= doubt || (lead <= doubt && own <= kMostError * doubt);
 }
 

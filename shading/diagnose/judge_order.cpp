@@ -255,7 +255,7 @@ class Judge {
   /// too.
   [[nodiscard]] SnappedScene withPieces(const PaintStep& a, int faceA, const PaintStep& b, int faceB) const {
     SnappedScene two;
-    two.planes = scene_.planes, two.ahead = scene_.ahead, two.zShift = scene_.zShift;
+    two.planes = scene_.planes, two.zShift = scene_.zShift;
     for (const auto& [step, index] : {std::pair{&a, faceA}, {&b, faceB}}) {
       SnappedFace face = scene_.faces[index];
       face.throughVertices = false;
@@ -272,6 +272,7 @@ class Judge {
       face.first = static_cast<int>(two.vertices.size()), face.count = static_cast<int>(outline.size());
       two.vertices.insert(two.vertices.end(), outline.begin(), outline.end());
       two.source.resize(two.vertices.size(), -1);
+      two.planes.setDoubt(static_cast<int>(two.faces.size()), scene_.doubtOf(scene_.faces[index]), 2);
       two.faces.push_back(face);
     }
     return two;

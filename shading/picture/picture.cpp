@@ -64,7 +64,8 @@ const std::vector<std::uint8_t>& Picture::cells() const {
 
 Picture Picture::withPlanes() const {
   Picture picture = *this;
-  if (!snapped_->planes.empty() && !snapped_->somePlanes) return picture;
+  const auto hasPlane = [&](const SnappedFace& face) { return snapped_->planes.has(face.plane); };
+  if (std::ranges::all_of(snapped_->faces, hasPlane)) return picture;
   SnappedScene snapped = *snapped_;
   addPlanes(snapped, shading_.mesh(*scene_), shading_.parts(*scene_), camera_.view, settings_.width,
             settings_.height);
@@ -99,7 +100,10 @@ Picture Picture::onlyWithin(glm::ivec2 low, glm::ivec2 high) const {
   }
   Picture picture = whole;
   SnappedScene some = onlySome(*whole.snapped_, newIndex);
-  some.planes = whole.snapped_->planes, some.ahead = whole.snapped_->ahead;
+  some.planes = whole.snapped_->planes;
+  for (std::size_t f = 0; f < newIndex.size(); ++f)
+    if (newIndex[f] != kNothing)
+      some.planes.setDoubt(newIndex[f], whole.snapped_->doubtOf(whole.snapped_->faces[f]), newIndex.size());
   picture.snapped_ = std::move(some);
   picture.sorted_ = {};
   picture.visible_ = {};

@@ -46,7 +46,7 @@ void addSquare(SnappedScene& scene, int at, int side, int z) {
   SnappedFace face;
   face.first = first, face.count = 4, face.number = face.plane = static_cast<int>(scene.faces.size());
   scene.faces.push_back(face);
-  scene.planes.push_back(planeThrough(&scene.vertices[first], 4));
+  scene.planes.add(planeThrough(&scene.vertices[first], 4));
 }
 
 std::vector<bool> freeOf(const SnappedScene& scene) {

@@ -230,10 +230,10 @@ Kernel touchKernel() {
               ScreenPlane plane;
               plane.A = std::llround(f[1]), plane.B = std::llround(f[2]), plane.C = 1 << 20;
               plane.D = Int128{std::llround(f[0])} << 20;
-              scene.planes.push_back(plane);
-              scene.faces.push_back(
-                  {.part = k, .plane = k, .doubt = {static_cast<float>(f[3]), static_cast<float>(f[4])}});
-              if (in[0] > 0) scene.ahead.push_back({.c = f[5]});
+              scene.planes.add(plane);
+              scene.planes.setDoubt(k, {static_cast<float>(f[3]), static_cast<float>(f[4])}, 2);
+              scene.faces.push_back({.part = k, .plane = k});
+              if (in[0] > 0) scene.planes.setAhead(k, {.c = f[5]}, 2);
             }
             return Numbers{double(
                 mayTouch(scene, scene.faces[0], scene.faces[1], std::llround(in[1]), std::llround(in[2])))};

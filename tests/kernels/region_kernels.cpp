@@ -17,7 +17,7 @@ SnappedScene sceneOf(const Numbers& in) {
                            .back = false,
                            .plane = static_cast<int>(k / 9)});
     scene.vertices.insert(scene.vertices.end(), t.begin(), t.end());
-    scene.planes.push_back(planeOf(t));
+    scene.planes.add(planeOf(t));
   }
   scene.source.resize(scene.vertices.size());
   return scene;

@@ -230,16 +230,10 @@ bool addFace(SnappedScene& scene, std::vector<glm::ivec3> outline, int plane) {
     for (SnappedFace& face : scene.faces) face.throughVertices &= face.plane != plane;
   if (isNew) {
     plane = static_cast<int>(scene.planes.size());
-    scene.planes.push_back(planeThrough(outline.data(), count));
+    scene.planes.add(planeThrough(outline.data(), count));
   }
-  scene.faces.push_back({static_cast<int>(scene.vertices.size()),
-                         count,
-                         static_cast<int>(scene.faces.size()),
-                         0,
-                         false,
-                         count == 3 && isNew,
-                         plane,
-                         {}});
+  scene.faces.push_back({static_cast<int>(scene.vertices.size()), count, static_cast<int>(scene.faces.size()),
+                         0, false, count == 3 && isNew, plane});
   scene.vertices.insert(scene.vertices.end(), outline.begin(), outline.end());
   return true;
 }

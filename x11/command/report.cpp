@@ -85,6 +85,7 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
           {"fragments", painted},
           {"painted", painted},
           {"free", sort.free},
+          {"planes_made", scene.planes.made()},
           {"splits", sort.splits},
           {"areas", sort.areas},
           {"hidden", sort.hidden},

@@ -99,8 +99,7 @@ class RunJudge {
     for (int f = 0; f < static_cast<int>(scene_.faces.size()); ++f) {
       const SnappedFace& face = scene_.faces[f];
       facesOf_[face.number].push_back(f);
-      Fragmented& whole = fragments_.emplace_back(f, -1, Region{},
-                                                  extentsOf(scene_, face, tests_.vertexDepthsAreExact(face)));
+      Fragmented& whole = fragments_.emplace_back(f, -1, Region{}, extentsOf(scene_, face));
       regions_.outline(face, whole.region);
     }
   }

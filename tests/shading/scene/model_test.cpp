@@ -90,8 +90,9 @@ TEST(Model, WhatIsNearTheEyeLeavesNoDoubtAboutTheRest) {
       splits += pictures.last().sorted().statistics.splits;
       near += std::ranges::count_if(snapped.faces, [&](const SnappedFace& face) {
         const auto first = snapped.vertices.begin() + face.first;
-        return std::any_of(first, first + face.count,
-                           [&](const glm::ivec3& v) { return face.doubt.at(v.z) > kGrid >> snapped.zShift; });
+        return std::any_of(first, first + face.count, [&](const glm::ivec3& v) {
+          return snapped.doubtOf(face).at(v.z) > kGrid >> snapped.zShift;
+        });
       });
     }
   }
