@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "depthsort/extents.h"
 #include "depthsort/pair_tests.h"
 #include "depthsort/pieces.h"
 #include "depthsort/samples.h"

@@ -45,7 +45,7 @@ namespace xnewell {
 /// Why it is right. Every order that is asserted is exactly true. P is painted when its order against
 /// everything unpainted is settled in its favour. Contacts are orders that are true but not asserted
 /// (pair_tests.h). Faces that touch in the model may cross because of its rounding: only where mayTouch()
-/// (touch.h) says so, or in a sliver without a sample. They are not split for that, and there the
+/// (scene_planes.h) says so, or in a sliver without a sample. They are not split for that, and there the
 /// farther one may show. The two faces at a sample were compared with each other, in a cycle too,
 /// so doubts do not add up.
 ///

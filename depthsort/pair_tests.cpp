@@ -5,7 +5,6 @@
 
 #include "depthsort/samples.h"
 #include "geometry/view/scene_planes.h"
-#include "geometry/view/touch.h"
 
 namespace xnewell {
 

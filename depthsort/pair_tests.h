@@ -5,7 +5,7 @@
 
 #include "depthsort/box_grid.h"
 #include "depthsort/depth_sort.h"
-#include "depthsort/extents.h"
+#include "depthsort/pieces.h"
 #include "depthsort/region.h"
 
 namespace xnewell {
@@ -45,7 +45,7 @@ class PairTests {
   [[nodiscard]] bool overlapCounts(const Shape& P, const Shape& Q);
   /// True if Q's plane properly crosses P. Then split() returns the parts of P behind it and in front of it.
   [[nodiscard]] bool crosses(const Shape& P, const Shape& Q) { return signsOver(P, Q).both(); }
-  /// True unless the faces may touch (touch.h) everywhere in a part of both.
+  /// True unless the faces may touch (scene_planes.h) everywhere in a part of both.
   [[nodiscard]] bool isDeep(const Region& part, const SnappedFace& front, const SnappedFace& behind) const;
   struct Parts {
     Region behind, front;

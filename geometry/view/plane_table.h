@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <new>
-#include <stdexcept>
 #include <vector>
 
 #include "geometry/view/screen_plane.h"
@@ -12,7 +11,7 @@
 namespace xnewell {
 
 /// A bound for the error of a plane's z, in z steps, linear in z: rounding in the model moves points near the
-/// eye further (depth_doubt.h). Neither coefficient is negative. If both are 0, the plane counts as exact.
+/// eye further (plane_record.h). Neither coefficient is negative. If both are 0, the plane counts as exact.
 struct Doubt {
   float atBack = 0, byZ = 0;
   [[nodiscard]] double at(double z) const { return atBack + z * byZ; }
@@ -56,13 +55,15 @@ class PlaneTable {
   }
   /// @throws std::logic_error if the plane is not made
   [[nodiscard]] const ScreenPlane& operator[](int plane) const {
-    if (!has(plane)) throw std::logic_error{"a plane is read before it is made"};
+    if (!has(plane)) [[unlikely]]
+      notMade();
     return planes_[plane];
   }
   /// The error bound of the plane of a face's own corners within the face, from the rounding of the snap and
   /// of the model. `face` is its place in SnappedScene::faces. @throws std::logic_error as above
   [[nodiscard]] Doubt doubtOf(std::ptrdiff_t face, int plane) const {
-    if (!has(plane)) throw std::logic_error{"a doubt is read before its plane is made"};
+    if (!has(plane)) [[unlikely]]
+      notMade();
     return static_cast<std::size_t>(face) < doubts_.size() ? doubts_[face] : Doubt{};
   }
   /// By SnappedFace::part: how much nearer the plane of the part's own corners (ConvexParts::own) is than its
@@ -82,6 +83,7 @@ class PlaneTable {
   void setAhead(int part, const Ahead& ahead, std::size_t room) { roomIn(ahead_, part, room) = ahead; }
 
  private:
+  [[noreturn]] static void notMade();
   /// A vector of a trivial type. The elements that its first resize() adds are 0.
   template <class T>
   using SparseVector = std::vector<T, ZeroPages<T>>;

@@ -16,6 +16,14 @@ std::int64_t doubleArea(const glm::ivec3& a, const glm::ivec3& b, const glm::ive
   return y1 * x2 - x1 * y2;  // y runs down
 }
 
+/// Twice the area of an outline whose corners are at(k).
+template <class At>
+std::int64_t doubleAreaOf(int count, const At& at) {
+  std::uint64_t sum = 0;
+  for (int i = 1; i + 1 < count; ++i) sum += static_cast<std::uint64_t>(doubleArea(at(0), at(i), at(i + 1)));
+  return static_cast<std::int64_t>(sum);
+}
+
 /// A vertex before the snap, in pixels: divided by w.
 glm::dvec3 divided(const glm::dvec4& p) { return glm::dvec3{p} / p.w; }
 
@@ -56,7 +64,7 @@ class Snapper {
   void add(std::vector<ClippedCorner>& outline, const Owner& owner) {
     dropRepeats(outline);
     const int count = static_cast<int>(outline.size());
-    const std::int64_t area = count < 3 ? 0 : doubleAreaOf(outline.data(), count);
+    const std::int64_t area = count < 3 ? 0 : doubleAreaOf(count, [&](int k) { return outline[k].at; });
     if (area == 0) {
       ++scene_.degenerate;
       return;
@@ -124,14 +132,6 @@ class Snapper {
     while (outline.size() > 1 && same(outline.front(), outline.back())) outline.pop_back();
   }
 
-  /// Twice the area, as in doubleArea().
-  static std::int64_t doubleAreaOf(const ClippedCorner* p, int count) {
-    std::uint64_t sum = 0;
-    for (int i = 1; i + 1 < count; ++i)
-      sum += static_cast<std::uint64_t>(doubleArea(p[0].at, p[i].at, p[i + 1].at));
-    return static_cast<std::int64_t>(sum);
-  }
-
   static bool turnsBack(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c) {
     return std::int64_t{b.x - a.x} * (c.x - b.x) + std::int64_t{b.y - a.y} * (c.y - b.y) < 0;
   }
@@ -152,7 +152,8 @@ class Snapper {
   /// halves are convex (a triangle always is) and have few corners.
   void addConvex(const ClippedCorner* p, int count, const Owner& owner, bool back) {
     if (count == 3 || (count <= kMostCorners && convex(p, count))) {
-      if (doubleAreaOf(p, count) <= 0) return;  // rounding turned this half over: it is less than a step wide
+      if (doubleAreaOf(count, [p](int k) { return p[k].at; }) <= 0)
+        return;  // rounding turned this half over: it is less than a step wide
       append(p, count, owner, back);
       return;
     }
@@ -177,9 +178,7 @@ class Snapper {
 }  // namespace
 
 std::int64_t doubleArea(const glm::ivec3* p, int count) {
-  std::uint64_t sum = 0;
-  for (int i = 1; i + 1 < count; ++i) sum += static_cast<std::uint64_t>(doubleArea(p[0], p[i], p[i + 1]));
-  return static_cast<std::int64_t>(sum);
+  return doubleAreaOf(count, [p](int k) { return p[k]; });
 }
 
 SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view, int width, int height,

@@ -46,7 +46,7 @@ struct SnappedScene {
   int outside = 0;     ///< number wholly outside the view volume and its guard band
   int degenerate = 0;  ///< number without area on the grid; they cover no sample
 
-  /// mayTouch() (touch.h) compares two of `faces` by their doubts.
+  /// mayTouch() (scene_planes.h) compares two of `faces` by their doubts.
   [[nodiscard]] Doubt doubtOf(const SnappedFace& face) const {
     return planes.doubtOf(&face - faces.data(), face.plane);
   }
@@ -59,11 +59,7 @@ struct SnappedScene {
 [[nodiscard]] SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view, int width,
                                 int height, Cull cull);
 
-/// Makes all planes of a scene (scene_planes.h). Call it once after each snap(), with the same arguments.
-void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view,
-               int width, int height);
-
-/// Calls snap(), then addPlanes().
+/// Calls snap(), then makes all planes (scene_planes.h).
 [[nodiscard]] SnappedScene project(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view,
                                    int width, int height, Cull cull);
 

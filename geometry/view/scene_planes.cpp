@@ -4,10 +4,13 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <optional>
+#include <stdexcept>
 
 #include "geometry/model/coplanar.h"
 
 namespace xnewell {
+
+void PlaneTable::notMade() { throw std::logic_error{"a plane is read before it is made"}; }
 
 ScenePlanes::ScenePlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts,
                          const ViewSpec& view, int width, int height)
@@ -80,16 +83,22 @@ glm::ivec2 ScenePlanes::placeInPicture(const SnappedFace& face) const {
   return glm::clamp(low / 2 + high / 2, glm::ivec2{0}, size_ * kGrid);
 }
 
-void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view,
-               int width, int height) {
-  ScenePlanes{scene, mesh, parts, view, width, height}.makeAll();
-}
-
 SnappedScene project(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view, int width, int height,
                      Cull cull) {
   SnappedScene scene = snap(mesh, parts, view, width, height, cull);
-  addPlanes(scene, mesh, parts, view, width, height);
+  ScenePlanes{scene, mesh, parts, view, width, height}.makeAll();
   return scene;
+}
+
+bool mayTouch(const SnappedScene& scene, const SnappedFace& front, const SnappedFace& behind, std::int64_t x,
+              std::int64_t y) {
+  const double zFront = depthAt(scene.planes[front.plane], x, y),
+               zBehind = depthAt(scene.planes[behind.plane], x, y);
+  const double doubt = scene.doubtOf(front).at(zFront) + scene.doubtOf(behind).at(zBehind),
+               lead = zFront - zBehind;
+  const double own =
+      lead + scene.planes.ahead(front.part).at(x, y) - scene.planes.ahead(behind.part).at(x, y);
+  return own <= doubt || (lead <= doubt && own <= 1.5 * doubt);
 }
 
 }  // namespace xnewell

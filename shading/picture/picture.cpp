@@ -7,6 +7,7 @@
 
 #include "depthsort/fragment_spans.h"
 #include "depthsort/oracle.h"
+#include "geometry/view/scene_planes.h"
 #include "shading/color/quantize.h"
 #include "shading/light/depth_shading.h"
 
@@ -67,8 +68,9 @@ Picture Picture::withPlanes() const {
   const auto hasPlane = [&](const SnappedFace& face) { return snapped_->planes.has(face.plane); };
   if (std::ranges::all_of(snapped_->faces, hasPlane)) return picture;
   SnappedScene snapped = *snapped_;
-  addPlanes(snapped, shading_.mesh(*scene_), shading_.parts(*scene_), camera_.view, settings_.width,
-            settings_.height);
+  ScenePlanes{snapped,      shading_.mesh(*scene_), shading_.parts(*scene_),
+              camera_.view, settings_.width,        settings_.height}
+      .makeAll();
   picture.snapped_ = std::move(snapped);
   return picture;
 }

@@ -1,4 +1,4 @@
-#include "geometry/view/touch.h"
+#include "geometry/view/scene_planes.h"
 
 #include <gtest/gtest.h>
 

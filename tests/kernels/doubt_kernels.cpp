@@ -3,7 +3,7 @@
 
 #include "geometry/exact/unit.h"
 #include "geometry/model/fit_plane.h"
-#include "geometry/view/depth_doubt.h"
+#include "geometry/view/plane_record.h"
 #include "tests/kernels/big.h"
 #include "tests/kernels/grid_triangles.h"
 #include "tests/kernels/view_input.h"
@@ -264,7 +264,7 @@ Kernel doubtKernel() {
   Kernel kernel{
       .name = "depth doubt",
       .claim = "2^-23 of it, up to 2^127",
-      .header = "geometry/view/depth_doubt.h",
+      .header = "geometry/view/plane_record.h",
       .input = viewInput(),
       .prepare =
           [](const Numbers& in) {

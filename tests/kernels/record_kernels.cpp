@@ -4,7 +4,7 @@
 
 #include "geometry/exact/unit.h"
 #include "geometry/view/plane_record.h"
-#include "geometry/view/touch.h"
+#include "geometry/view/scene_planes.h"
 #include "tests/kernels/big.h"
 #include "tests/kernels/view_input.h"
 
@@ -220,7 +220,7 @@ Kernel touchKernel() {
   Kernel kernel{
       .name = "whether faces touch",
       .claim = "exact beyond 2^-49 of the terms",
-      .header = "geometry/view/touch.h",
+      .header = "geometry/view/scene_planes.h",
       .input = {integers(0, 1), integers(-0x1p30, 0x1p30), integers(-0x1p30, 0x1p30)},
       .run =
           [](const Numbers& in) {

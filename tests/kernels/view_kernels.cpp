@@ -135,7 +135,7 @@ Kernel snapKernel() {
   Kernel kernel{
       .name = "snap of a vertex",
       .claim = "beyond half a step: 2^-47 of the sums of the terms",
-      .header = "geometry/view/view.h, depth_doubt.h",
+      .header = "geometry/view/view.h, plane_record.h",
       .input = viewInput(),
       .prepare =
           [world](const Numbers& in) {

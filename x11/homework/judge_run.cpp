@@ -12,7 +12,7 @@
 #include "depthsort/pair_tests.h"
 #include "depthsort/pieces.h"
 #include "depthsort/samples.h"
-#include "geometry/view/touch.h"
+#include "geometry/view/scene_planes.h"
 #include "shading/diagnose/judge_order.h"
 #include "x11/drawing/wording.h"
 #include "x11/homework/hidden_samples.h"
