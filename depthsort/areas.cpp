@@ -177,6 +177,10 @@ void AreaSort::clipTo(const ScreenBox& box, const ScreenBox& of, Region& region)
 bool AreaSort::isHidden(Region& region, int P, const ScreenBox& box, const std::vector<Cover>& near) {
   if (near.empty()) return false;
   const Depths depths = depthsAt(box, planeOf(P));
+  const auto hidesAll = [&](const Cover& cover) {  // surely, so nothing is cut for the others
+    return scene_.faces[P].plane != scene_.faces[cover.face].plane && isNearer(cover.depths, depths);
+  };
+  if (std::ranges::any_of(near, hidesAll)) return countHidden(true);
   return std::ranges::any_of(near, [&](const Cover& cover) { return hide(region, P, depths, cover); });
 }
 
@@ -195,8 +199,7 @@ bool AreaSort::hide(Region& region, int P, const Depths& depths, const Cover& co
   if (p.plane == q.plane) return countHidden(P < cover.face);
   if (isNearer(depths, cover.depths)) return false;
   const Line line = regions_.cut(p.plane, q.plane);
-  Signs signs{.positive = false, .negative = true};
-  if (!isNearer(cover.depths, depths)) signs = regions_.signs(line, region);
+  const Signs signs = regions_.signs(line, region);
   if (signs.none()) return countHidden(P < cover.face);
   if (!signs.negative) return false;
   if (!signs.positive) return countHidden(true);
