@@ -324,6 +324,8 @@ TEST_F(CommandTest, PaintedIsWhatTheTracePaints) {
 TEST_F(CommandTest, StatsHoldTheCostOfTheOrder) {
   const Json newell = draw("cubes").stats, tree = draw("cubes", {"--order", "bsp"}).stats;
   EXPECT_EQ(newell["tree_nodes"], 0);
+  EXPECT_GT(newell["planes_made"], 10);
+  EXPECT_LT(newell["planes_made"], tree["planes_made"]);
   EXPECT_EQ(tree["splits"], 0);
   EXPECT_GT(tree["tree_nodes"], 10);
   EXPECT_LE(tree["tree_nodes"], tree["polygons"]);
