@@ -9,6 +9,7 @@
 
 #include "depthsort/pieces.h"
 #include "depthsort/samples.h"
+#include "geometry/view/scene_planes.h"
 
 namespace xnewell {
 
@@ -101,8 +102,12 @@ class AreaSort {
 void AreaSort::sort(const PolygonList& list, const PixelArea& area) {
   if (list.polygons.empty()) return;
   const int width = area.right - area.left, height = area.bottom - area.top;
+  const auto makePlanes = [&] {
+    if (!divided_ && settings_.planes)
+      for (const Polygon& P : list.polygons) settings_.planes->make(scene_.faces[P.face]);
+  };
   const bool isPixel = width == 1 && height == 1;
-  if (isPixel && !settings_.inPixels) return paintNearest(list, area);
+  if (isPixel && !settings_.inPixels) return makePlanes(), paintNearest(list, area);
 
   const std::size_t fragments = sorted_.fragments.size(), pieces = sorted_.pieces.size(),
                     cuts = sorted_.cuts.size();
@@ -113,6 +118,7 @@ void AreaSort::sort(const PolygonList& list, const PixelArea& area) {
     sorted_.statistics.areas += divided_;
     return;
   }
+  makePlanes();
   divided_ = true;
   sorted_.fragments.resize(fragments), sorted_.pieces.resize(pieces), sorted_.cuts.resize(cuts);
   sorted_.statistics = before;
@@ -171,6 +177,10 @@ void AreaSort::clipTo(const ScreenBox& box, const ScreenBox& of, Region& region)
 bool AreaSort::isHidden(Region& region, int P, const ScreenBox& box, const std::vector<Cover>& near) {
   if (near.empty()) return false;
   const Depths depths = depthsAt(box, planeOf(P));
+  const auto hidesAll = [&](const Cover& cover) {  // surely, so nothing is cut for the others
+    return scene_.faces[P].plane != scene_.faces[cover.face].plane && isNearer(cover.depths, depths);
+  };
+  if (std::ranges::any_of(near, hidesAll)) return countHidden(true);
   return std::ranges::any_of(near, [&](const Cover& cover) { return hide(region, P, depths, cover); });
 }
 
@@ -189,8 +199,7 @@ bool AreaSort::hide(Region& region, int P, const Depths& depths, const Cover& co
   if (p.plane == q.plane) return countHidden(P < cover.face);
   if (isNearer(depths, cover.depths)) return false;
   const Line line = regions_.cut(p.plane, q.plane);
-  Signs signs{.positive = false, .negative = true};
-  if (!isNearer(cover.depths, depths)) signs = regions_.signs(line, region);
+  const Signs signs = regions_.signs(line, region);
   if (signs.none()) return countHidden(P < cover.face);
   if (!signs.negative) return false;
   if (!signs.positive) return countHidden(true);

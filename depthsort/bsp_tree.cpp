@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "depthsort/extents.h"
 #include "depthsort/pair_tests.h"
 #include "depthsort/pieces.h"
 #include "depthsort/samples.h"
@@ -102,11 +101,10 @@ class Builder {
 
   /// All faces that show.
   std::vector<int> faces() {
-    const std::vector<std::uint8_t> facesOfPlane = facesOfPlanes(scene_);
     std::vector<int> all;
     for (int f = 0; f < static_cast<int>(scene_.faces.size()); ++f) {
       const SnappedFace& face = scene_.faces[f];
-      const Extents extents = extentsOf(scene_, face, vertexDepthsAreExact(face, facesOfPlane));
+      const Extents extents = extentsOf(scene_, face);
       if (!mayShow(scene_, face, extents.box, settings_.width, settings_.height, settings_.inPixels))
         continue;
       all.push_back(static_cast<int>(polygons_.size()));

@@ -41,7 +41,7 @@ struct BspTree {
   SortedScene sorted;          ///< its fragments stand node by node
 };
 
-/// Builds the tree of a scene that has planes (addPlanes()). Of the settings, it uses width, height,
+/// Builds the tree of a scene that has planes (scene_planes.h). Of the settings, it uses width, height,
 /// inPixels and mostPieces. The same scene gives the same tree. @throws TooManyPieces
 [[nodiscard]] BspTree bspTree(const SnappedScene& scene, const SortSettings& settings);
 

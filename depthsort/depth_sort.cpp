@@ -8,13 +8,14 @@
 
 #include "depthsort/areas.h"
 #include "depthsort/samples.h"
+#include "geometry/view/scene_planes.h"
 
 namespace xnewell {
 
 namespace {
 
 /// The faces of the scene. For the quick run, only those that may show.
-PolygonList facesOf(const SnappedScene& scene, const SortSettings& settings, const PairTests& tests) {
+PolygonList facesOf(const SnappedScene& scene, const SortSettings& settings) {
   PolygonList list;
   list.polygons.reserve(scene.faces.size());
   const int margin = settings.inPixels ? kGrid : 0;  // rounding may move a vertex into the picture
@@ -22,7 +23,8 @@ PolygonList facesOf(const SnappedScene& scene, const SortSettings& settings, con
                           settings.height * kGrid + margin};
   for (int f = 0; f < static_cast<int>(scene.faces.size()); ++f) {
     const SnappedFace& face = scene.faces[f];
-    Polygon P{.extents = extentsOf(scene, face, tests.vertexDepthsAreExact(face)), .face = f};
+    if (settings.planes && !face.throughVertices) settings.planes->make(face);
+    Polygon P{.extents = extentsOf(scene, face), .face = f};
     if (!settings.textbook) {
       ScreenBox& box = P.extents.box;
       if (settings.samples ? !mayShow(scene, face, box, settings.width, settings.height, settings.inPixels)
@@ -54,7 +56,7 @@ TooManyPieces tooManyPieces(std::string_view who, int most) {
 SortedScene depthSort(const SnappedScene& scene, const SortSettings& settings) {
   SortedScene sorted;
   PairTests tests{scene, settings};
-  const PolygonList list = facesOf(scene, settings, tests);
+  const PolygonList list = facesOf(scene, settings);
   const PixelArea picture{0, 0, settings.width, settings.height};
   if (settings.areas && !settings.textbook && !settings.record) {
     sortByAreas(list, scene, settings, picture, tests, sorted);

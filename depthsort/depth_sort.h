@@ -45,7 +45,7 @@ namespace xnewell {
 /// Why it is right. Every order that is asserted is exactly true. P is painted when its order against
 /// everything unpainted is settled in its favour. Contacts are orders that are true but not asserted
 /// (pair_tests.h). Faces that touch in the model may cross because of its rounding: only where mayTouch()
-/// (touch.h) says so, or in a sliver without a sample. They are not split for that, and there the
+/// (scene_planes.h) says so, or in a sliver without a sample. They are not split for that, and there the
 /// farther one may show. The two faces at a sample were compared with each other, in a cycle too,
 /// so doubts do not add up.
 ///
@@ -158,6 +158,8 @@ struct SortStatistics {
 /// How many pieces an order makes before it gives up. Each takes some hundred bytes while it waits.
 inline constexpr int kMostPieces = 5'000'000;
 
+class ScenePlanes;
+
 struct SortSettings {
   int width, height;  ///< size of the picture in pixels
   /// True for the textbook's run, for learners. It takes every Q in the list whose z-extent reaches back to
@@ -178,7 +180,9 @@ struct SortSettings {
   /// After so many splits, polygons that one face hides are left out, if the picture is not divided: most
   /// pieces are hidden where many polygons cross.
   std::int64_t keepHidden = std::numeric_limits<std::int64_t>::max();
-  bool record = false;                            ///< fills SortedScene::list and events
+  ScenePlanes* planes =
+      nullptr;          ///< makes those planes of the scene that are compared; null if all are there
+  bool record = false;  ///< fills SortedScene::list and events
   std::size_t mostEvents = std::size_t{1} << 24;  ///< of 12 bytes each
   int mostPieces = kMostPieces;
   /// which of P and Q is split if they cross

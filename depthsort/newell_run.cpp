@@ -1,13 +1,16 @@
 #include "depthsort/newell_run.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "depthsort/box_grid.h"
 #include "depthsort/free_polygons.h"
-#include "depthsort/list_order.h"
+#include "depthsort/order.h"
 #include "depthsort/pieces.h"
 #include "geometry/exact/give_up.h"
 
@@ -18,6 +21,56 @@ namespace {
 constexpr int kNone = -1;
 /// How many splits are tried to break a cycle: all of a cycle of eight polygons, and no more of a longer one.
 constexpr int kMostTries = 56;
+
+/// True for a face and itself, and for parts of one model face in one plane. They show the same picture in
+/// any order.
+[[nodiscard]] bool oneSurface(const SnappedScene& scene, int f, int g) {
+  const SnappedFace &F = scene.faces[f], &G = scene.faces[g];
+  return F.number == G.number && F.plane == G.plane;
+}
+
+/// Where the polygons of a run stand in its list: cell by cell of a grid, and by farthest z within a cell.
+struct ListOrder {
+  BoxGrid grid;
+  std::vector<int> cellBegin;  ///< #cells + 1, places in the list
+  /// #cells: a face, if all faces of the cell are of one surface with it; otherwise -1
+  std::vector<int> cellSurface;
+  std::vector<int> byDepth;  ///< the polygons by farthest z, at equal z in scene order
+  std::vector<int> place;    ///< #polygons, in the list
+  std::vector<int> turns;    ///< #polygons: the places by farthest z
+};
+
+/// If `fine` is false, the grid has one cell.
+ListOrder listOrder(const SnappedScene& scene, std::span<const Polygon> polygons, bool fine) {
+  std::vector<ScreenBox> boxes;
+  boxes.reserve(polygons.size());
+  for (const Polygon& P : polygons) boxes.push_back(P.extents.box);
+  ListOrder order{BoxGrid{boxes, fine}, {}, {}, {}, std::vector<int>(polygons.size()), {}};
+  order.cellBegin.assign(order.grid.cells() + 1, 0);
+  for (std::size_t i = 0; i < polygons.size(); ++i)
+    ++order.cellBegin[(order.place[i] = order.grid.cellOf(boxes[i])) + 1];
+  std::partial_sum(order.cellBegin.begin(), order.cellBegin.end(), order.cellBegin.begin());
+
+  std::vector<std::uint32_t> keys(polygons.size());
+  std::ranges::transform(polygons, keys.begin(), [](const Polygon& P) {
+    return static_cast<std::uint32_t>(P.extents.zFar) ^ 0x80000000u;
+  });
+  order.byDepth = sortedByKey(keys);
+  std::vector<int> next = order.cellBegin;
+  order.turns.reserve(polygons.size());
+  for (const int i : order.byDepth)
+    order.turns.push_back(order.place[i] = next[order.place[i]]++);  // the place was the cell until here
+
+  order.cellSurface.assign(order.grid.cells(), kNone);
+  std::vector<int> inList(polygons.size());
+  for (std::size_t i = 0; i < polygons.size(); ++i) inList[order.place[i]] = polygons[i].face;
+  for (int c = 0; c < order.grid.cells(); ++c) {
+    const auto begin = inList.begin() + order.cellBegin[c], end = inList.begin() + order.cellBegin[c + 1];
+    if (begin != end && std::all_of(begin, end, [&](int f) { return oneSurface(scene, f, *begin); }))
+      order.cellSurface[c] = *begin;
+  }
+  return order;
+}
 
 /// What is read only for P: its place in the tree of pieces and in the walk over the Q's. All Q's before that
 /// place are settled for good, for P and for all pieces of P.

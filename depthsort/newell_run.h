@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "depthsort/depth_sort.h"
-#include "depthsort/extents.h"
 #include "depthsort/pair_tests.h"
+#include "depthsort/pieces.h"
 #include "depthsort/region.h"
 
 namespace xnewell {

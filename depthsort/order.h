@@ -18,7 +18,7 @@ struct OrderRow {
   std::string_view inWords;  ///< for a caption
   std::string_view words;    ///< where two set-ups are compared
   /// True if every sample shows the right face of the snapped scene, except at contacts (depth_sort.h). These
-  /// methods compare the planes of addPlanes(); the others need no planes.
+  /// methods compare planes (scene_planes.h); the others need no planes.
   bool exact = false;
   /// True if it finds the face of each sample by itself. Then there is no painting order, and no polygon for
   /// an X server to fill.

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "depthsort/samples.h"
-#include "geometry/view/touch.h"
+#include "geometry/view/scene_planes.h"
 
 namespace xnewell {
 
@@ -13,8 +13,8 @@ PairTests::PairTests(const SnappedScene& scene, const SortSettings& settings)
       width_{settings.width},
       height_{settings.height},
       textbook_{settings.textbook},
-      regions_{scene},
-      shared_{facesOfPlanes(scene)} {}
+      planes_{settings.planes},
+      regions_{scene} {}
 
 Relation PairTests::compare(const Shape& P, const Shape& Q) {
   if (textbook_) {
@@ -58,20 +58,26 @@ bool PairTests::passes(Test test, const Shape& P, const Shape& Q) {
   }
 }
 
+const ScreenPlane& PairTests::planeOf(const SnappedFace& face) {
+  if (planes_) planes_->make(face);
+  return scene_.planes[face.plane];
+}
+
 Signs PairTests::signsOver(const Shape& P, const Shape& Q) {
   const SnappedFace &p = P.face, &q = Q.face;
   if (p.plane == q.plane) return {};
-  const ScreenPlane &planeP = scene_.planes[p.plane], &planeQ = scene_.planes[q.plane];
   if (P.piece) return regions_.signs(nearer(p, q), *P.piece);
+  const ScreenPlane& planeQ = planeOf(q);
   Signs signs;
   const glm::ivec3* const v = &scene_.vertices[p.first];
-  if (vertexDepthsAreExact(p)) {
+  if (p.throughVertices) {
     for (int k = 0; k < 3; ++k) {
       const Int128 above = Int128{planeQ.C} * v[k].z - Int128{planeQ.A} * v[k].x - Int128{planeQ.B} * v[k].y -
                            planeQ.D;  // below 2^95
       signs.add(above < 0 ? -1 : above > 0);
     }
   } else {
+    const ScreenPlane& planeP = planeOf(p);
     for (int k = 0; k < p.count; ++k) signs.add(compareDepths(planeP, planeQ, v[k].x, v[k].y));
   }
   return signs;
@@ -125,7 +131,7 @@ bool PairTests::isDeep(const Region& part, const SnappedFace& front, const Snapp
 }
 
 bool PairTests::counts(const Region& part, const SnappedFace& front, const SnappedFace& behind) const {
-  const bool doubted = front.doubt.atBack + behind.doubt.atBack > 0.0f;
+  const bool doubted = scene_.doubtOf(front).atBack + scene_.doubtOf(behind).atBack > 0.0f;
   if (doubted && !regions_.samePlane(front.plane, behind.plane) && !isDeep(part, front, behind)) return false;
   return isWide(part) || ownsSample(scene_, part, width_, height_);
 }
@@ -165,7 +171,7 @@ const Line& PairTests::nearer(const SnappedFace& p, const SnappedFace& q) {
   if (line_.p == q.plane && line_.q == p.plane)
     line_ = Regions::flipped(line_);
   else if (line_.p != p.plane || line_.q != q.plane)
-    line_ = regions_.cut(p.plane, q.plane);
+    planeOf(p), planeOf(q), line_ = regions_.cut(p.plane, q.plane);
   return line_;
 }
 

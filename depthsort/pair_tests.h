@@ -5,7 +5,7 @@
 
 #include "depthsort/box_grid.h"
 #include "depthsort/depth_sort.h"
-#include "depthsort/extents.h"
+#include "depthsort/pieces.h"
 #include "depthsort/region.h"
 
 namespace xnewell {
@@ -33,10 +33,6 @@ class PairTests {
  public:
   PairTests(const SnappedScene& scene, const SortSettings& settings);
 
-  /// True if a face's plane passes exactly through its vertices.
-  [[nodiscard]] bool vertexDepthsAreExact(const SnappedFace& face) const {
-    return xnewell::vertexDepthsAreExact(face, shared_);
-  }
   /// Decides whether P may be painted before Q. It makes the tests in the textbook's order or in the quick
   /// one. For the quick one the caller must have compared the boxes.
   [[nodiscard]] Relation compare(const Shape& P, const Shape& Q);
@@ -49,7 +45,7 @@ class PairTests {
   [[nodiscard]] bool overlapCounts(const Shape& P, const Shape& Q);
   /// True if Q's plane properly crosses P. Then split() returns the parts of P behind it and in front of it.
   [[nodiscard]] bool crosses(const Shape& P, const Shape& Q) { return signsOver(P, Q).both(); }
-  /// True unless the faces may touch (touch.h) everywhere in a part of both.
+  /// True unless the faces may touch (scene_planes.h) everywhere in a part of both.
   [[nodiscard]] bool isDeep(const Region& part, const SnappedFace& front, const SnappedFace& behind) const;
   struct Parts {
     Region behind, front;
@@ -72,6 +68,8 @@ class PairTests {
   /// than a contact. It must be deep (tested only if they lie in two planes), and it must be wide or own a
   /// sample.
   [[nodiscard]] bool counts(const Region& part, const SnappedFace& front, const SnappedFace& behind) const;
+  /// The plane of a face. It is made if need be.
+  const ScreenPlane& planeOf(const SnappedFace& face);
   /// Regions::cut() of both planes. It remembers the last one, because a pair asks for it again and again.
   [[nodiscard]] const Line& nearer(const SnappedFace& p, const SnappedFace& q);
   /// The region of P. For a whole face it is made in `buffer`.
@@ -82,8 +80,8 @@ class PairTests {
   const SnappedScene& scene_;
   int width_, height_;
   bool textbook_;
+  ScenePlanes* planes_;  ///< of SortSettings
   Regions regions_;
-  std::vector<std::uint8_t> shared_;  ///< facesOfPlanes()
   Region bufferP_, bufferQ_, both_, part_;
   Line line_;
 };

@@ -60,33 +60,38 @@ bool ownsSample(const SnappedScene& scene, const Region& region, int width, int 
   return false;
 }
 
-bool mayOwnSample(const SnappedScene& scene, const SnappedFace& face, const ScreenBox& box, int width,
-                  int height) {
-  const int left = std::max(0, sampleFrom(box.x0)), right = std::min(width, sampleFrom(box.x1));
-  const int top = std::max(0, sampleFrom(box.y0)), bottom = std::min(height, sampleFrom(box.y1));
-  if (left >= right || top >= bottom) return false;
-  if (std::int64_t{right - left} * (bottom - top) > 4) return true;
-  const glm::ivec3* const v = &scene.vertices[face.first];
-  for (int j = top; j < bottom; ++j)
-    for (int i = left; i < right; ++i) {
-      int k = 0;
-      while (k < face.count && edgeAtSample(v[k], v[k + 1 == face.count ? 0 : k + 1], i, j) > 0) ++k;
-      if (k == face.count) return true;
-    }
-  return false;
-}
+namespace {
 
-bool mayOwnSample(const SnappedScene& scene, const Region& region, const ScreenBox& box, int width,
-                  int height) {
+/// True if owns(i, j) for a sample of the picture in the box. Of more than four, one is taken for granted.
+template <class Owns>
+bool mayOwnSample(const ScreenBox& box, int width, int height, const Owns& owns) {
   const int left = std::max(0, sampleFrom(box.x0)), right = std::min(width, sampleFrom(box.x1));
   const int top = std::max(0, sampleFrom(box.y0)), bottom = std::min(height, sampleFrom(box.y1));
   if (left >= right || top >= bottom) return false;
   if (std::int64_t{right - left} * (bottom - top) > 4) return true;
   for (int j = top; j < bottom; ++j)
     for (int i = left; i < right; ++i)
-      if (std::ranges::all_of(region, [&](const Side& s) { return signAtSample(scene, s.line, i, j) > 0; }))
-        return true;
+      if (owns(i, j)) return true;
   return false;
+}
+
+}  // namespace
+
+bool mayOwnSample(const SnappedScene& scene, const SnappedFace& face, const ScreenBox& box, int width,
+                  int height) {
+  const glm::ivec3* const v = &scene.vertices[face.first];
+  return mayOwnSample(box, width, height, [&](int i, int j) {
+    int k = 0;
+    while (k < face.count && edgeAtSample(v[k], v[k + 1 == face.count ? 0 : k + 1], i, j) > 0) ++k;
+    return k == face.count;
+  });
+}
+
+bool mayOwnSample(const SnappedScene& scene, const Region& region, const ScreenBox& box, int width,
+                  int height) {
+  return mayOwnSample(box, width, height, [&](int i, int j) {
+    return std::ranges::all_of(region, [&](const Side& s) { return signAtSample(scene, s.line, i, j) > 0; });
+  });
 }
 
 bool hasAreaInPixels(const SnappedScene& scene, const SnappedFace& face) {

@@ -7,6 +7,7 @@
 #include "depthsort/bsp_tree.h"
 #include "depthsort/oracle.h"
 #include "depthsort/z_buffer.h"
+#include "geometry/view/scene_planes.h"
 
 namespace xnewell {
 
@@ -32,6 +33,7 @@ Visibility bySample(ZBuffer buffer) {
 
 Visibility visibilityOf(const SnappedScene& scene, const ViewSpec& view, Order order,
                         const SortSettings& settings) {
+  if (settings.planes && order != Order::Newell && rowOf(order).exact) settings.planes->makeAll();
   switch (order) {
     case Order::Unsorted:
     case Order::ZMean:

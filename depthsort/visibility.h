@@ -15,7 +15,7 @@ struct Visibility {
   std::vector<int> faces;
 };
 
-/// Applies any of kOrders. For the exact ones the scene has planes (addPlanes()); `view` is its view.
+/// Applies any of kOrders. For the exact ones the scene has planes (scene_planes.h); `view` is its view.
 /// @throws what depthSort() and bspTree() throw
 [[nodiscard]] Visibility visibilityOf(const SnappedScene& scene, const ViewSpec& view, Order order,
                                       const SortSettings& settings);

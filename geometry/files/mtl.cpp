@@ -6,7 +6,6 @@
 #include <cmath>
 #include <set>
 
-#include "geometry/files/left_out.h"
 #include "geometry/files/number.h"
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"

@@ -12,7 +12,6 @@
 
 #include "geometry/exact/power.h"
 #include "geometry/exact/unit.h"
-#include "geometry/files/left_out.h"
 #include "geometry/files/mtl.h"
 #include "geometry/files/number.h"
 #include "geometry/files/parse_error.h"

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "geometry/files/indexed_faces.h"
-#include "geometry/files/left_out.h"
 #include "geometry/files/number.h"
 #include "geometry/files/parse_error.h"
 #include "geometry/files/ply_header.h"

@@ -1,7 +1,6 @@
 #include "geometry/files/text_file.h"
 
 #include <sys/stat.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -150,6 +149,26 @@ std::filesystem::path namedFile(const std::filesystem::path& folder, std::string
   const std::filesystem::path file = folder / name, beside = folder / file.filename();
   if (there(written)) return written;
   return there(file) || !there(beside) ? file : beside;
+}
+
+void LeftOut::add(std::string_view name) {
+  if (!names_.empty() && names_.back() == name) return;  // most often a run of the same
+  if (std::ranges::find(names_, name) != names_.end()) return;
+  if (names_.size() < kNamed)
+    names_.emplace_back(name);
+  else
+    others_ = true;
+}
+
+std::string LeftOut::sentence() const {
+  if (names_.empty()) return "";
+  std::string all = "the program does not use ";
+  for (const std::string& name : names_) {
+    if (&name != names_.data()) all += ", ";
+    const std::string quoted = inQuotes(name);  // with unprintable bytes replaced
+    all += quoted.ends_with("...'") ? quoted : quoted.substr(1, quoted.size() - 2);
+  }
+  return others_ ? all + " and others" : all;
 }
 
 }  // namespace xnewell

@@ -21,16 +21,16 @@ struct CoplanarClasses {
 /// view; which one is in front would then change from pixel to pixel. Two parts in one plane are tied, and
 /// the order of the scene decides.
 ///
-/// A class is a set of faces that one plane explains (rounding.h). Two faces are joined if one plane explains
-/// both and they overlap in area: no edge of either separates them, seen along the axis nearest to the normal
-/// of the larger. Faces that only touch, along an edge or in a corner, are not joined, however their corners
-/// were rounded. Chains of such pairs form sets, and most sets are classes: the plane in which faces were
-/// made explains them all, also a wall of many small tiles, each of which alone says little of the wall's
-/// plane. A set that no plane explains is torn: layers that lie nearly as close as the file can tell, or a
-/// bent surface made of overlapping faces. From a torn set a class is peeled off: the faces nearest to the
-/// plane that has the least sum of distances, as many of them as one plane explains. What is left forms sets
-/// again. A set from which nothing can be peeled is joined pair by pair, as long as one plane explains each
-/// class. It does not matter which way a face looks. A face without area has a plane of its own.
+/// A class is a set of faces that one plane explains (fit_plane.h). Two faces are joined if one plane
+/// explains both and they overlap in area: no edge of either separates them, seen along the axis nearest to
+/// the normal of the larger. Faces that only touch, along an edge or in a corner, are not joined, however
+/// their corners were rounded. Chains of such pairs form sets, and most sets are classes: the plane in which
+/// faces were made explains them all, also a wall of many small tiles, each of which alone says little of the
+/// wall's plane. A set that no plane explains is torn: layers that lie nearly as close as the file can tell,
+/// or a bent surface made of overlapping faces. From a torn set a class is peeled off: the faces nearest to
+/// the plane that has the least sum of distances, as many of them as one plane explains. What is left forms
+/// sets again. A set from which nothing can be peeled is joined pair by pair, as long as one plane explains
+/// each class. It does not matter which way a face looks. A face without area has a plane of its own.
 ///
 /// The roundings are those of the faces' objects, and the side is that of the scene. (A decal's own box is
 /// too small for the rounding of its plane.) Parallel layers whose distance is more than 2 (|Nx| + |Ny| +
@@ -55,7 +55,7 @@ void countRounding(Mesh& mesh);
 /// Sets ConvexParts::plane, planes, own and frame to the classes.
 void uniteCoplanar(const Mesh& mesh, ConvexParts& parts);
 
-/// The plane of a part, after uniteCoplanar().
+/// The plane of a part. Before uniteCoplanar() it is that of its own corners.
 [[nodiscard]] ModelPlane planeOf(const Mesh& mesh, const ConvexParts& parts, int part);
 
 }  // namespace xnewell

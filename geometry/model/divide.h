@@ -77,7 +77,7 @@ struct ConvexParts {
 /// A face whose corners are all in line, or that has no vector area, covers nothing. It stays as it is, as
 /// one part. A face that crosses itself becomes triangles that may overlap.
 ///
-/// Planar: one plane explains all corners (rounding.h), with the side and the magnitude of the face itself.
+/// Planar: one plane explains all corners (fit_plane.h), with the side and the magnitude of the face itself.
 /// If a corner is further than 7 r from the Newell plane, the face counts as bent without a search for that
 /// plane. Convexity, and every choice of a cut, is exact on a grid of 2^49 to 2^50 steps across the box, seen
 /// along the axis nearest to the face's normal. All finite coordinates are allowed, up to the largest double.

@@ -11,8 +11,8 @@
 #include "geometry/exact/overlap.h"
 #include "geometry/exact/plane.h"
 #include "geometry/model/divide.h"
+#include "geometry/model/fit_plane.h"
 #include "geometry/model/mesh.h"
-#include "geometry/model/rounding.h"
 
 namespace xnewell {
 

@@ -3,15 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/common.hpp>
-#include <optional>
-#include <utility>
 
-#include "geometry/exact/plane.h"
-#include "geometry/model/coplanar.h"
 #include "geometry/view/clip.h"
-#include "geometry/view/depth_doubt.h"
-#include "geometry/view/plane_record.h"
 
 namespace xnewell {
 
@@ -21,6 +14,14 @@ namespace {
 std::int64_t doubleArea(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c) {
   const std::int64_t x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;
   return y1 * x2 - x1 * y2;  // y runs down
+}
+
+/// Twice the area of an outline whose corners are at(k).
+template <class At>
+std::int64_t doubleAreaOf(int count, const At& at) {
+  std::uint64_t sum = 0;
+  for (int i = 1; i + 1 < count; ++i) sum += static_cast<std::uint64_t>(doubleArea(at(0), at(i), at(i + 1)));
+  return static_cast<std::int64_t>(sum);
 }
 
 /// A vertex before the snap, in pixels: divided by w.
@@ -63,7 +64,7 @@ class Snapper {
   void add(std::vector<ClippedCorner>& outline, const Owner& owner) {
     dropRepeats(outline);
     const int count = static_cast<int>(outline.size());
-    const std::int64_t area = count < 3 ? 0 : doubleAreaOf(outline.data(), count);
+    const std::int64_t area = count < 3 ? 0 : doubleAreaOf(count, [&](int k) { return outline[k].at; });
     if (area == 0) {
       ++scene_.degenerate;
       return;
@@ -91,6 +92,7 @@ class Snapper {
       ++scene_.culled;
     } else {
       const std::size_t first = addFace(3, owner, back);
+      scene_.faces.back().throughVertices = true;
       glm::ivec3* const vertex = &scene_.vertices[first];
       int* const source = &scene_.source[first];
       vertex[0] = back ? c : a, vertex[1] = b, vertex[2] = back ? a : c;
@@ -130,14 +132,6 @@ class Snapper {
     while (outline.size() > 1 && same(outline.front(), outline.back())) outline.pop_back();
   }
 
-  /// Twice the area, as in doubleArea().
-  static std::int64_t doubleAreaOf(const ClippedCorner* p, int count) {
-    std::uint64_t sum = 0;
-    for (int i = 1; i + 1 < count; ++i)
-      sum += static_cast<std::uint64_t>(doubleArea(p[0].at, p[i].at, p[i + 1].at));
-    return static_cast<std::int64_t>(sum);
-  }
-
   static bool turnsBack(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c) {
     return std::int64_t{b.x - a.x} * (c.x - b.x) + std::int64_t{b.y - a.y} * (c.y - b.y) < 0;
   }
@@ -158,7 +152,8 @@ class Snapper {
   /// halves are convex (a triangle always is) and have few corners.
   void addConvex(const ClippedCorner* p, int count, const Owner& owner, bool back) {
     if (count == 3 || (count <= kMostCorners && convex(p, count))) {
-      if (doubleAreaOf(p, count) <= 0) return;  // rounding turned this half over: it is less than a step wide
+      if (doubleAreaOf(count, [p](int k) { return p[k].at; }) <= 0)
+        return;  // rounding turned this half over: it is less than a step wide
       append(p, count, owner, back);
       return;
     }
@@ -180,44 +175,10 @@ class Snapper {
   std::size_t vertices_ = 0;  ///< number of vertices written
 };
 
-/// True if the face is a triangle of the model as it is.
-bool isWholeTriangle(const SnappedScene& scene, const SnappedFace& face, const ConvexParts& parts) {
-  if (face.count != 3 || parts.part(face.part).size() != 3) return false;
-  const int* const source = &scene.source[face.first];
-  return source[0] >= 0 && source[1] >= 0 && source[2] >= 0;
-}
-
-/// The plane of a part that is not one of ConvexParts::planes. One plane explains its corners.
-ModelPlane newellPlaneOf(const Mesh& mesh, const ConvexParts& parts, int part) {
-  return {newellPlane(mesh.points, parts.part(part)).N, centroid(mesh.points, parts.part(part))};
-}
-
-/// A place in the picture, in the middle of the face or near it.
-glm::ivec2 placeInPicture(const SnappedScene& scene, const SnappedFace& face, int width, int height) {
-  glm::ivec2 low{width * kGrid, height * kGrid}, high{0};
-  for (int v = face.first; v < face.first + face.count; ++v) {
-    const glm::ivec2 p{scene.vertices[v]};
-    low = glm::min(low, p), high = glm::max(high, p);
-  }
-  return glm::clamp(low / 2 + high / 2, glm::ivec2{0}, glm::ivec2{width, height} * kGrid);
-}
-
-/// The plane through three vertices of face f and those that `next` lists after it.
-ScreenPlane planeThroughAll(const SnappedScene& scene, int f, const std::vector<int>& next) {
-  std::vector<glm::ivec3> together;
-  for (int g = f; g >= 0; g = next[g]) {
-    const auto outline = scene.vertices.begin() + scene.faces[g].first;
-    together.insert(together.end(), outline, outline + scene.faces[g].count);
-  }
-  return planeThrough(together.data(), static_cast<int>(together.size()));
-}
-
 }  // namespace
 
 std::int64_t doubleArea(const glm::ivec3* p, int count) {
-  std::uint64_t sum = 0;
-  for (int i = 1; i + 1 < count; ++i) sum += static_cast<std::uint64_t>(doubleArea(p[0], p[i], p[i + 1]));
-  return static_cast<std::int64_t>(sum);
+  return doubleAreaOf(count, [p](int k) { return p[k]; });
 }
 
 SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view, int width, int height,
@@ -311,51 +272,6 @@ SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& vi
     snapper.add(outline, {parts.face[i], i, parts.plane[i]});
   }
   snapper.finish();
-  return scene;
-}
-
-// The records are in the order of their first faces.
-void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view,
-               int width, int height) {
-  const DepthDoubt doubt{view, width, height, scene.zShift};
-  const PlaneRecords records{view, width, height, scene.zShift};
-  const int count = static_cast<int>(scene.faces.size());
-  int modelPlanes = 0;
-  for (const SnappedFace& face : scene.faces) modelPlanes = std::max(modelPlanes, face.plane + 1);
-  std::vector<int> next(count, -1), first(modelPlanes, -1);  // lists of the faces of each plane
-  for (int f = count - 1; f >= 0; --f) next[f] = std::exchange(first[scene.faces[f].plane], f);
-
-  scene.planes.reserve(count);
-  for (int f = 0; f < count; ++f) {
-    const SnappedFace& face = scene.faces[f];
-    if (first[face.plane] != f) continue;  // an earlier face of its plane made the record
-    const int record = static_cast<int>(scene.planes.size());
-    if (next[f] < 0 && isWholeTriangle(scene, face, parts)) {
-      scene.planes.push_back(planeThrough(&scene.vertices[face.first], 3));
-      scene.faces[f].plane = record;
-      scene.faces[f].doubt = doubt.of(scene.planes.back(), mesh.roundingOf(face.number));
-      continue;
-    }
-    const ModelPlane plane =
-        parts.frame ? planeOf(mesh, parts, face.part) : newellPlaneOf(mesh, parts, face.part);
-    const std::optional<ScreenPlane> ofModel = records.of(plane, placeInPicture(scene, face, width, height));
-    scene.planes.push_back(ofModel ? *ofModel : planeThroughAll(scene, f, next));
-    for (int g = f; g >= 0; g = next[g]) {
-      SnappedFace& member = scene.faces[g];
-      member.doubt = doubt.of(scene.planes.back(), mesh.roundingOf(member.number));
-      if (const ModelPlane* const own = parts.own.find(member.part); ofModel && own) {
-        scene.ahead.resize(parts.count());
-        scene.ahead[member.part] = records.ahead(*own, plane, placeInPicture(scene, member, width, height));
-      }
-      member.plane = record;
-    }
-  }
-}
-
-SnappedScene project(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view, int width, int height,
-                     Cull cull) {
-  SnappedScene scene = snap(mesh, parts, view, width, height, cull);
-  addPlanes(scene, mesh, parts, view, width, height);
   return scene;
 }
 

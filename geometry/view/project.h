@@ -8,26 +8,11 @@
 #include "geometry/model/divide.h"
 #include "geometry/model/mesh.h"
 #include "geometry/view/clip.h"
+#include "geometry/view/plane_table.h"
 #include "geometry/view/screen_grid.h"
-#include "geometry/view/screen_plane.h"
 #include "geometry/view/view.h"
 
 namespace xnewell {
-
-/// A bound for the error of a plane's z, in z steps, linear in z: rounding in the model moves points near the
-/// eye further (depth_doubt.h). Neither coefficient is negative. If both are 0, the plane counts as exact.
-struct Doubt {
-  float atBack = 0, byZ = 0;
-  [[nodiscard]] double at(double z) const { return atBack + z * byZ; }
-};
-
-/// A difference of depths, in z steps, linear over the screen.
-struct Ahead {
-  double x = 0, y = 0, c = 0;
-  [[nodiscard]] double at(std::int64_t px, std::int64_t py) const {
-    return x * static_cast<double>(px) + y * static_cast<double>(py) + c;
-  }
-};
 
 /// A convex face on the screen grid, ready to be ordered and painted.
 /// Holds:  the outline has an area and runs counter-clockwise as seen on the screen (x right, y down).
@@ -37,12 +22,10 @@ struct SnappedFace {
   int number = 0;     ///< face number in the model; every part and piece keeps it
   int part = 0;       ///< index into ConvexParts; what clipping and halving make of one keep it
   bool back = false;  ///< the viewer sees the side from which the model lists the corners clockwise
-  /// Index into SnappedScene::planes. All faces in one plane of the model share one. Before addPlanes() it is
-  /// ConvexParts::plane.
-  int plane = 0;
-  /// The error bound of the plane of its own corners within the face, from the rounding of the snap and of
-  /// the model. mayTouch() in touch.h compares two faces by it.
-  Doubt doubt = {};
+  /// True if its plane goes exactly through its vertices. After snap() it is true for each triangle of the
+  /// model that was not clipped; those that share their planes lose it later (scene_planes.h).
+  bool throughVertices = false;
+  int plane = 0;  ///< ConvexParts::plane, and index into SnappedScene::planes
 };
 
 /// The scene on the screen grid. From here on, all coordinates are integers.
@@ -56,16 +39,17 @@ struct SnappedScene {
   std::vector<int> source;
   std::vector<Between> between;    ///< vertices that clipping made; each refers only to earlier ones
   std::vector<SnappedFace> faces;  ///< in order of number
-  /// These planes define the depth. The z of a vertex may be off by a step or more. Empty before addPlanes().
-  std::vector<ScreenPlane> planes;
-  /// By SnappedFace::part: how much nearer the plane of the part's own corners (ConvexParts::own) is than its
-  /// record. Empty if all parts have planes of their own, and before addPlanes().
-  std::vector<Ahead> ahead;
+  PlaneTable planes;               ///< empty after snap()
   int zShift = 0;
   int polygons = 0;    ///< number of convex parts given
   int culled = 0;      ///< number of back faces removed by choice
   int outside = 0;     ///< number wholly outside the view volume and its guard band
   int degenerate = 0;  ///< number without area on the grid; they cover no sample
+
+  /// mayTouch() (scene_planes.h) compares two of `faces` by their doubts.
+  [[nodiscard]] Doubt doubtOf(const SnappedFace& face) const {
+    return planes.doubtOf(&face - faces.data(), face.plane);
+  }
 };
 
 /// The whole viewing transformation: view, shear, warp, clip, viewport, snap. A vertex that faces share, or a
@@ -75,16 +59,7 @@ struct SnappedScene {
 [[nodiscard]] SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view, int width,
                                 int height, Cull cull);
 
-/// What only an order that compares planes needs: parts of one plane (ConvexParts::plane) get one plane
-/// record. So they are exactly coplanar, and at a common sample the later one is seen. The record is that of
-/// the plane of the model (plane_record.h). Only a triangle that was not clipped and shares its plane with no
-/// other face has the plane of its snapped vertices: it meets its neighbours exactly in their common
-/// vertices, so they have fewer contacts. Faces of ConvexParts that uniteCoplanar() has not seen have their
-/// Newell planes. Call it once after each snap(), with the same arguments.
-void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view,
-               int width, int height);
-
-/// Calls snap(), then addPlanes().
+/// Calls snap(), then makes all planes (scene_planes.h).
 [[nodiscard]] SnappedScene project(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view,
                                    int width, int height, Cull cull);
 

@@ -68,8 +68,7 @@ class Judge {
         tests_{scene_, {.width = width_, .height = height_, .textbook = true}} {
     for (std::size_t f = 0; f < scene_.faces.size(); ++f)
       facesOf_[scene_.faces[f].number].push_back(static_cast<int>(f));
-    for (const SnappedFace& face : scene_.faces)
-      boxes_.push_back(extentsOf(scene_, face, tests_.vertexDepthsAreExact(face)).box);
+    for (const SnappedFace& face : scene_.faces) boxes_.push_back(extentsOf(scene_, face).box);
   }
 
   OrderReport report() {
@@ -88,8 +87,7 @@ class Judge {
     const PaintStep &a = steps_[wrong.shown], &b = steps_[wrong.hidden];
     const SnappedScene two = withPieces(a, A, b, B);
     PairTests tests{two, {.width = width_, .height = height_, .textbook = true}};
-    const ScreenBox boxA = extentsOf(two, two.faces[0], false).box,
-                    boxB = extentsOf(two, two.faces[1], false).box;
+    const ScreenBox boxA = extentsOf(two, two.faces[0]).box, boxB = extentsOf(two, two.faces[1]).box;
     const Shape P{two.faces[0], 0, boxA, nullptr}, Q{two.faces[1], 1, boxB, nullptr};
     const Relation relation = tests.compare(P, Q);
     if (relation.verdict == Verdict::PFirst) wrong.told = relation.test;
@@ -257,9 +255,10 @@ class Judge {
   /// too.
   [[nodiscard]] SnappedScene withPieces(const PaintStep& a, int faceA, const PaintStep& b, int faceB) const {
     SnappedScene two;
-    two.planes = scene_.planes, two.ahead = scene_.ahead, two.zShift = scene_.zShift;
+    two.planes = scene_.planes, two.zShift = scene_.zShift;
     for (const auto& [step, index] : {std::pair{&a, faceA}, {&b, faceB}}) {
       SnappedFace face = scene_.faces[index];
+      face.throughVertices = false;
       std::vector<glm::ivec3> outline(scene_.vertices.begin() + face.first,
                                       scene_.vertices.begin() + face.first + face.count);
       if (!step->piece.empty()) {
@@ -273,6 +272,7 @@ class Judge {
       face.first = static_cast<int>(two.vertices.size()), face.count = static_cast<int>(outline.size());
       two.vertices.insert(two.vertices.end(), outline.begin(), outline.end());
       two.source.resize(two.vertices.size(), -1);
+      two.planes.setDoubt(static_cast<int>(two.faces.size()), scene_.doubtOf(scene_.faces[index]), 2);
       two.faces.push_back(face);
     }
     return two;

@@ -36,10 +36,8 @@ class OwnersHere {
   }
   [[nodiscard]] double z(int face) const {
     const SnappedFace& f = scene_.faces[face];
-    const ScreenPlane plane =
-        scene_.planes.empty() ? planeThrough(&scene_.vertices[f.first], f.count) : scene_.planes[f.plane];
     const std::int64_t x = std::int64_t{i_} * kGrid + kGrid / 2, y = std::int64_t{j_} * kGrid + kGrid / 2;
-    return std::ldexp(depthAt(plane, x, y), scene_.zShift - kGridBits);
+    return std::ldexp(depthAt(scene_.planes[f.plane], x, y), scene_.zShift - kGridBits);
   }
 
  private:

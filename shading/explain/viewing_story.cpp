@@ -137,7 +137,7 @@ ViewingStory::ViewingStory(const Picture& picture, FaceCorner of)
   if (own.face) {
     const ScreenPlane record = scene.planes.empty()
                                    ? planeThrough(&scene.vertices[own.face->first], own.face->count)
-                                   : scene.planes[own.face->plane];
+                                   : picture.withPlanes().snapped().planes[own.face->plane];
     const double C = static_cast<double>(record.C), step = 1.0 / zScale;
     plane = glm::dvec3{static_cast<double>(record.A) / C * kGrid * step,
                        static_cast<double>(record.B) / C * kGrid * step, depthAt(record, 0, 0) * step};

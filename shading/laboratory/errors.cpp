@@ -8,7 +8,7 @@
 #include <map>
 
 #include "depthsort/oracle.h"
-#include "geometry/view/touch.h"
+#include "geometry/view/scene_planes.h"
 #include "shading/color/color_difference.h"
 #include "shading/scene/divide_anew.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "depthsort/oracle.h"
-#include "geometry/view/touch.h"
+#include "geometry/view/scene_planes.h"
 
 namespace xnewell {
 

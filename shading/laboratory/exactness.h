@@ -14,7 +14,7 @@ namespace xnewell {
 /// The verdict on one sample. It is Wrong if the picture shows another face than the oracle sees, and the
 /// oracle's is nearer; Earlier, which is wrong too, if both lie in one plane, where the later face should
 /// win. There is one exception: rounding alone may separate two faces in different planes (mayTouch() in
-/// touch.h). They may touch in the model, so neither counts as wrong: the sample is Doubtful.
+/// scene_planes.h). They may touch in the model, so neither counts as wrong: the sample is Doubtful.
 enum class SampleCheck : std::uint8_t { Nothing, Right, Doubtful, Wrong, Earlier };
 [[nodiscard]] constexpr bool isWrong(SampleCheck verdict) {
   return verdict == SampleCheck::Wrong || verdict == SampleCheck::Earlier;

@@ -7,6 +7,7 @@
 
 #include "depthsort/fragment_spans.h"
 #include "depthsort/oracle.h"
+#include "geometry/view/scene_planes.h"
 #include "shading/color/quantize.h"
 #include "shading/light/depth_shading.h"
 
@@ -64,10 +65,12 @@ const std::vector<std::uint8_t>& Picture::cells() const {
 
 Picture Picture::withPlanes() const {
   Picture picture = *this;
-  if (!snapped_->planes.empty()) return picture;
+  const auto hasPlane = [&](const SnappedFace& face) { return snapped_->planes.has(face.plane); };
+  if (std::ranges::all_of(snapped_->faces, hasPlane)) return picture;
   SnappedScene snapped = *snapped_;
-  addPlanes(snapped, shading_.mesh(*scene_), shading_.parts(*scene_), camera_.view, settings_.width,
-            settings_.height);
+  ScenePlanes{snapped,      shading_.mesh(*scene_), shading_.parts(*scene_),
+              camera_.view, settings_.width,        settings_.height}
+      .makeAll();
   picture.snapped_ = std::move(snapped);
   return picture;
 }
@@ -99,7 +102,10 @@ Picture Picture::onlyWithin(glm::ivec2 low, glm::ivec2 high) const {
   }
   Picture picture = whole;
   SnappedScene some = onlySome(*whole.snapped_, newIndex);
-  some.planes = whole.snapped_->planes, some.ahead = whole.snapped_->ahead;
+  some.planes = whole.snapped_->planes;
+  for (std::size_t f = 0; f < newIndex.size(); ++f)
+    if (newIndex[f] != kNothing)
+      some.planes.setDoubt(newIndex[f], whole.snapped_->doubtOf(whole.snapped_->faces[f]), newIndex.size());
   picture.snapped_ = std::move(some);
   picture.sorted_ = {};
   picture.visible_ = {};

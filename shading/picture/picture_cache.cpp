@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "depthsort/visibility.h"
 #include "geometry/exact/give_up.h"
+#include "geometry/view/scene_planes.h"
 #include "shading/picture/stopwatch.h"
 #include "shading/scene/units.h"
 
@@ -60,34 +62,31 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
   timed(ms.shade,
         [&] { next.shading_ = next.shading_.next(scene, inScene, channelsOf(plan), next.camera_); });
 
-  // View, shear, warp, clip, viewport, and one snap to the grid. From here on, everything is exact. Orders
-  // that compare planes also get the planes here.
+  // View, shear, warp, clip, viewport, and one snap to the grid. From here on, everything is exact.
   const bool newView = changed(&Asked::width, &Asked::height, &Asked::cull) || view != last_->camera_.view ||
                        !next.shading_.hasMeshOf(last_->shading_);
-  if (newView) {
-    SnappedScene snapped;
-    timed(ms.transform, [&] {
-      snapped = snap(next.shading_.mesh(scene), next.shading_.parts(scene), view, width, height, wanted.cull);
-    });
-    if (rowOf(wanted.order).exact)
-      timed(ms.sort, [&] {
-        addPlanes(snapped, next.shading_.mesh(scene), next.shading_.parts(scene), view, width, height);
-      });
-    next.snapped_ = std::move(snapped);
-  } else if (rowOf(wanted.order).exact && next.snapped_->planes.empty()) {
-    timed(ms.sort, [&] { next = next.withPlanes(); });
-  }
+  SnappedScene snapped;
+  const Mesh& mesh = next.shading_.mesh(scene);
+  const ConvexParts& parts = next.shading_.parts(scene);
+  if (newView) timed(ms.transform, [&] { snapped = snap(mesh, parts, view, width, height, wanted.cull); });
 
-  // The faces back to front; or the visible face at each sample.
+  // The faces back to front; or the visible face at each sample. Orders that compare planes make them in a
+  // new scene.
   if (newView || changed(&Asked::order, &Asked::inPixels))
     timed(ms.sort, [&] {
-      Visibility visibility = visibilityOf(*next.snapped_, view, wanted.order,
+      const bool exact = rowOf(wanted.order).exact;
+      std::optional<ScenePlanes> planes;
+      if (newView && exact) planes.emplace(snapped, mesh, parts, view, width, height);
+      if (!newView && exact) next.snapped_ = next.withPlanes().snapped_;
+      Visibility visibility = visibilityOf(newView ? snapped : *next.snapped_, view, wanted.order,
                                            {.width = wanted.width,
                                             .height = wanted.height,
                                             .inPixels = wanted.inPixels,
+                                            .planes = planes ? &*planes : nullptr,
                                             .mostPieces = wanted.mostPieces});
       next.visible_ = std::move(visibility.faces);
       next.sorted_ = std::move(visibility.sorted);
+      if (newView) next.snapped_ = std::move(snapped);
     });
 
   // The colour tables, and the cell of each intensity. A plan of colours chooses its colours later, from the

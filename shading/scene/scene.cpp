@@ -20,7 +20,6 @@
 #include "geometry/files/visible.h"
 #include "geometry/model/bezier.h"
 #include "geometry/model/coplanar.h"
-#include "geometry/model/teapot.h"
 #include "shading/scene/mesh_textures.h"
 #include "shading/scene/scene_file.h"
 

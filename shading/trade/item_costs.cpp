@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "geometry/view/scene_planes.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/required.h"
 
@@ -57,7 +58,7 @@ Step planes(const Picture& picture) {
   const Mesh& mesh = picture.shading().mesh(picture.scene());
   const ConvexParts& parts = picture.shading().parts(picture.scene());
   return [&, snapped = snap(mesh, parts, picture.camera().view, s.width, s.height, s.cull)]() mutable {
-    addPlanes(snapped, mesh, parts, picture.camera().view, s.width, s.height);
+    ScenePlanes{snapped, mesh, parts, picture.camera().view, s.width, s.height}.makeAll();
   };
 }
 

@@ -95,7 +95,8 @@ TEST(Areas, CutNothingByWhatItMayTouch) {
       corners.emplace_back(below(kSide / 3), below(kSide), 100 * kFar + below(kSide));
     addFace(scene, corners);
   }
-  for (SnappedFace& face : scene.faces) face.doubt.atBack = 30;
+  const std::size_t faces = scene.faces.size();
+  for (int f = 0; f < std::ssize(scene.faces); ++f) scene.planes.setDoubt(f, {.atBack = 30}, faces);
   const SortedScene sorted = depthSort(scene, {kSize, kSize});
   EXPECT_GT(sorted.statistics.areas, 9);
   const std::vector<int> shown = painted(scene, sorted, kSize, kSize);

@@ -59,7 +59,8 @@ Mesh normalised(Mesh mesh, double scale) {
 
 /// Which face covers each sample last, for faces without depth.
 std::vector<int> lastFaces(SnappedScene scene) {
-  scene.planes.assign(1, ScreenPlane{});
+  scene.planes = {};
+  scene.planes.add({});
   for (SnappedFace& face : scene.faces) face.plane = 0;
   return visibleFaces(scene, kSize, kSize);
 }

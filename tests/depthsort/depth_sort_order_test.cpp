@@ -67,7 +67,8 @@ void expectOrder(const SnappedScene& scene, const SortedScene& sorted, Counts& c
       if (wrong.empty()) continue;
       SCOPED_TRACE(testing::Message()
                    << "fragments " << earlier << " (face " << p << "), " << later << " (face " << q << ")");
-      const double doubt = double{scene.faces[p].doubt.atBack} + scene.faces[q].doubt.atBack;
+      const double doubt =
+          double{scene.doubtOf(scene.faces[p]).atBack} + scene.doubtOf(scene.faces[q]).atBack;
       const double depth = greatest(above, wrong).convert_to<double>();
       const double slope = std::abs(above.a.convert_to<double>()) + std::abs(above.b.convert_to<double>());
       if (!one && doubt > 0.0 && depth <= doubt + 0.5 * slope) {
@@ -134,8 +135,10 @@ TEST(DepthSortOrder, NothingIsPaintedOverWhatIsNearerBeyondDoubt) {
     exact.splits += depthSort(scene, {kSize, kSize}).statistics.splits;
     std::mt19937 rng{seed};
     const double reach = std::uniform_real_distribution{0.0, 20.0}(rng);
-    for (SnappedFace& face : scene.faces)
-      face.doubt.atBack = static_cast<float>(std::exp2(std::uniform_real_distribution{0.0, reach}(rng)));
+    for (int f = 0; f < std::ssize(scene.faces); ++f)
+      scene.planes.setDoubt(f,
+                            {static_cast<float>(std::exp2(std::uniform_real_distribution{0.0, reach}(rng)))},
+                            scene.faces.size());
     SCOPED_TRACE(testing::Message() << "XNEWELL_SEED=" << seed);
     const SortedScene sorted = sortedEverywhere(scene, seed % 3 == 0);
     doubtful.splits += sorted.statistics.splits;

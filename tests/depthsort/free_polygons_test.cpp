@@ -25,7 +25,7 @@ List listOf(const SnappedScene& scene) {
   List list;
   for (int f = 0; f < static_cast<int>(scene.faces.size()); ++f) {
     const SnappedFace& face = scene.faces[f];
-    list.polygons.push_back({.extents = extentsOf(scene, face, false), .face = f});
+    list.polygons.push_back({.extents = extentsOf(scene, face), .face = f});
   }
   list.byDepth.resize(list.polygons.size());
   std::iota(list.byDepth.begin(), list.byDepth.end(), 0);
@@ -46,7 +46,7 @@ void addSquare(SnappedScene& scene, int at, int side, int z) {
   SnappedFace face;
   face.first = first, face.count = 4, face.number = face.plane = static_cast<int>(scene.faces.size());
   scene.faces.push_back(face);
-  scene.planes.push_back(planeThrough(&scene.vertices[first], 4));
+  scene.planes.add(planeThrough(&scene.vertices[first], 4));
 }
 
 std::vector<bool> freeOf(const SnappedScene& scene) {

@@ -23,7 +23,7 @@ using Vec = glm::vec<3, Real>;
 /// As if the points, which are at most 2 from the origin, had been moved there from far away: e is 2^-18.
 constexpr double kSide = 1.0, kMagnitude = 0x1p32, kCoarse = 1e-3;
 
-/// r of a point, by the words of rounding.h.
+/// r of a point, by the words of fit_plane.h.
 Real roundingOf(const Vec& N, double u) {
   const Vec n = glm::abs(N);
   return u * (n.x + n.y + n.z) + 0x1p-46 * kSide + 0x1p-50 * kMagnitude;

@@ -1,4 +1,5 @@
 #include "geometry/view/project.h"
+#include "geometry/view/scene_planes.h"
 
 #include <gtest/gtest.h>
 
@@ -238,6 +239,15 @@ TEST(Project, OnePlaneHasOneRecord) {
         ASSERT_EQ(s.planes.size(), 2u);
         EXPECT_EQ(s.faces[0].plane, s.faces[1].plane);
         EXPECT_NE(s.faces[0].plane, s.faces[2].plane);
+        SnappedScene some = snap(m, parts, view, 512, 512, Cull::Keep);
+        ScenePlanes planes{some, m, parts, view, 512, 512};
+        planes.make(some.faces[1]);  // not the first of its plane
+        EXPECT_EQ(some.planes.made(), 1);
+        EXPECT_EQ(some.planes[0], s.planes[0]);
+        EXPECT_FALSE(some.planes.has(1));
+        EXPECT_THROW((void)some.planes[1], std::logic_error);
+        EXPECT_THROW((void)some.doubtOf(some.faces[2]), std::logic_error);
+        EXPECT_EQ(some.doubtOf(some.faces[0]).atBack, s.doubtOf(s.faces[0]).atBack);
         const auto [N, at] = planeOf(m, parts, 0);
         for (const glm::ivec3& v : {s.vertices[s.faces[0].first], s.vertices[s.faces[1].first + 1]}) {
           const long double u = v.x / (256.0L * kGrid) - 1, w = 1 - v.y / (256.0L * kGrid);
@@ -248,7 +258,7 @@ TEST(Project, OnePlaneHasOneRecord) {
             z = 16 * ((N.x * u / 4 + N.y * w / 4 - N.z) / (c - 4 * N.z) - 1 / 8.0L);
           const auto inSteps = static_cast<double>(z * 256 * kGrid / std::exp2(s.zShift));
           EXPECT_NEAR(depthAt(s.planes[0], v.x, v.y), inSteps, 1e-3);
-          EXPECT_NEAR(v.z, inSteps, s.faces[0].doubt.at(v.z));
+          EXPECT_NEAR(v.z, inSteps, s.doubtOf(s.faces[0]).at(v.z));
         }
       }
 }
@@ -265,8 +275,8 @@ TEST(Project, DoubtIsByObject) {
   const double perUnit = 256 * kGrid;
   const SnappedScene s = projected(m, fromAbove(Projection::Parallel));
   ASSERT_EQ(s.faces.size(), 2u);
-  EXPECT_NEAR(s.faces[0].doubt.at(0), 0.5, 1e-6);
-  EXPECT_NEAR(s.faces[1].doubt.at(0), 0.5 + 1e-7 * perUnit, 1e-4);
+  EXPECT_NEAR(s.doubtOf(s.faces[0]).at(0), 0.5, 1e-6);
+  EXPECT_NEAR(s.doubtOf(s.faces[1]).at(0), 0.5 + 1e-7 * perUnit, 1e-4);
 }
 
 // The doubt is what a plane moves by if it is moved by r, at any depth, and what the snap adds: the plane of
@@ -300,7 +310,7 @@ TEST(Project, DoubtIsWhatRoundingMoves) {
     for (int v = 0; v < 3; ++v) {
       const glm::ivec3& p = s.vertices[v];
       const double z = depthAt(plane, p.x, p.y), off = std::abs(depthAt(moved.planes[0], p.x, p.y) - z);
-      const double snap = 0.5 + 0.5 * slope, most = s.faces[0].doubt.at(z) - snap;
+      const double snap = 0.5 + 0.5 * slope, most = s.doubtOf(s.faces[0]).at(z) - snap;
       ASSERT_LT(off, 1.002 * most + 2 * snap) << k;
       ASSERT_GT(off, 0.998 * most - 2 * snap) << k;
       mostly += most > 10 * snap;

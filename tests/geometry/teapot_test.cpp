@@ -1,4 +1,4 @@
-#include "geometry/model/teapot.h"
+#include "geometry/model/bezier.h"
 
 #include <gtest/gtest.h>
 

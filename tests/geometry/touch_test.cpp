@@ -1,4 +1,4 @@
-#include "geometry/view/touch.h"
+#include "geometry/view/scene_planes.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,11 @@ namespace {
 /// corners `own` steps. Each is in doubt by half of 1000 steps.
 bool touchIf(int lead, double own) {
   SnappedScene scene;
-  scene.planes = {{.D = 5'000}, {.D = 5'000 + lead}};
-  scene.ahead = {{.c = 0}, {.c = own - lead}};
   for (const int k : {0, 1}) {
-    scene.faces.push_back({.part = k, .plane = k, .doubt = {.atBack = 500}});
+    scene.planes.add({.D = 5'000 + k * lead});
+    scene.planes.setAhead(k, {.c = k * (own - lead)}, 2);
+    scene.planes.setDoubt(k, {.atBack = 500}, 2);
+    scene.faces.push_back({.part = k, .plane = k});
   }
   return mayTouch(scene, scene.faces[1], scene.faces[0], 0, 0);
 }
@@ -36,10 +37,11 @@ TEST(Touch, OneAndAHalfTimesWhatRoundingExplains) {
 // Where all planes are those of the faces' own corners, only their distance counts.
 TEST(Touch, WithoutRecordsOfSeveralFaces) {
   SnappedScene scene;
-  scene.planes = {{.D = 0}, {.D = 1'000}};
-  scene.faces = {{.plane = 0, .doubt = {.atBack = 500}}, {.plane = 1, .doubt = {.atBack = 499.5}}};
+  scene.planes.add({.D = 0}), scene.planes.add({.D = 1'000});
+  scene.faces = {{.plane = 0}, {.plane = 1}};
+  scene.planes.setDoubt(0, {.atBack = 500}, 2), scene.planes.setDoubt(1, {.atBack = 499.5}, 2);
   EXPECT_FALSE(mayTouch(scene, scene.faces[1], scene.faces[0], 0, 0));
-  scene.faces[1].doubt.atBack = 500.5;
+  scene.planes.setDoubt(1, {.atBack = 500.5}, 2);
   EXPECT_TRUE(mayTouch(scene, scene.faces[1], scene.faces[0], 0, 0));
 }
 

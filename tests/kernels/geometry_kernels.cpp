@@ -13,11 +13,10 @@
 #include "geometry/model/fit_plane.h"
 #include "geometry/model/vertex_normals.h"
 #include "geometry/view/clip.h"
-#include "geometry/view/depth_doubt.h"
 #include "geometry/view/plane_record.h"
 #include "geometry/view/project.h"
 #include "geometry/view/screen_plane.h"
-#include "geometry/view/touch.h"
+#include "geometry/view/scene_planes.h"
 #include "geometry/view/view.h"
 #include "shading/fill/lanes.h"
 #include "tests/kernels/big.h"
@@ -784,10 +783,10 @@ Numbers runTouch(In in) {
     ScreenPlane plane;
     plane.A = std::llround(f[1]), plane.B = std::llround(f[2]), plane.C = 1 << 20;
     plane.D = Int128{std::llround(f[0])} << 20;
-    scene.planes.push_back(plane);
-    scene.faces.push_back(
-        {.part = k, .plane = k, .doubt = {static_cast<float>(f[3]), static_cast<float>(f[4])}});
-    if (in[0] > 0) scene.ahead.push_back({.c = f[5]});
+    scene.planes.add(plane);
+    scene.planes.setDoubt(k, {static_cast<float>(f[3]), static_cast<float>(f[4])}, 2);
+    scene.faces.push_back({.part = k, .plane = k});
+    if (in[0] > 0) scene.planes.setAhead(k, {.c = f[5]}, 2);
   }
   return {double(mayTouch(scene, scene.faces[0], scene.faces[1], std::llround(in[1]), std::llround(in[2])))};
 }
@@ -820,7 +819,7 @@ SnappedScene sceneOf(In in) {
     const Triangle t = triangleAt(&in[9 * static_cast<std::size_t>(k)]);
     scene.faces.push_back({.first = 3 * k, .count = 3, .number = k, .part = 0, .back = false, .plane = k});
     scene.vertices.insert(scene.vertices.end(), t.begin(), t.end());
-    scene.planes.push_back(planeOf(t));
+    scene.planes.add(planeOf(t));
   }
   scene.source.resize(scene.vertices.size());
   return scene;
@@ -964,7 +963,7 @@ std::vector<Kernel> geometryKernels() {
       {"clipping", "clip.h: 2^-49 (A + B) off the plane, 2^-51 (|a| + |b|) off the edge",
        integers(0, 5) + doubles(0, 0x1p40) + 8 * doubles(-0x1p100, 0x1p100), notTiny<-900, 2>, runClip,
        judgeClip},
-      {"snap of a vertex", "view.h, depth_doubt.h: beyond half a step, 2^-47 of the sums of the terms",
+      {"snap of a vertex", "view.h, plane_record.h: beyond half a step, 2^-47 of the sums of the terms",
        turnedViewInput() + 3 * doubles(-0x1p20, 0x1p20), preparedSnap, runSnap, judgeSnap, 2, 0.3},
       {"depth of a plane", "screen_plane.h: 4 2^-53 of it", triangles(1) + ends, turned<1>,
        [](In in) {
@@ -983,14 +982,14 @@ std::vector<Kernel> geometryKernels() {
        "fit_plane.h: 2^-9 of the least within 2^-10 of its direction, and 2^-49 / r, up to h = 4",
        9 * doubles(0, 1) + 2 * doubles(-1, 2) + doubles(-8, 8) + doubles(0, 1.7e-5), preparedLeastFit,
        runLeastFit, judgeLeastFit, 2, 0.2},
-      {"depth doubt", "depth_doubt.h: 2^-23 of it, up to 2^127",
+      {"depth doubt", "plane_record.h: 2^-23 of it, up to 2^127",
        turnedViewInput() + triangles(1) + integers(0, 40) + doubles(0, 1e-4) + integers(0, kDeep),
        preparedDoubt, runDoubt, judgeDoubt, 2, 0.3},
       {"plane record", "plane_record.h: 2^-47 of the sums of the terms, and the rounding of a record",
        recordInput(1), preparedRecord, runRecord, judgeRecord, 2, 0.3},
       {"lead of a plane", "plane_record.h: the sum of both planes' bounds, and 2^-50 of the terms",
        recordInput(2), preparedRecord, runAhead, judgeAhead, 2, 0.2},
-      {"whether faces touch", "touch.h: exact beyond 2^-49 of the terms", touchInput(), nullptr, runTouch,
+      {"whether faces touch", "scene_planes.h: exact beyond 2^-49 of the terms", touchInput(), nullptr, runTouch,
        judgeTouch},
       {"meeting line of two planes", "region.h: 6 2^-53 of each coefficient", triangles(2), turned<2>,
        runCutLine, judgeCutLine},

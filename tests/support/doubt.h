@@ -25,9 +25,10 @@ inline bool mayTouch(const SnappedScene& scene, int p, int q, int k, int width) 
   const auto ahead = [&](const SnappedFace& face) {
     const std::int64_t x = std::int64_t{k % width} * kGrid + kGrid / 2,
                        y = std::int64_t{k / width} * kGrid + kGrid / 2;
-    return scene.ahead.empty() ? 0.0 : scene.ahead[face.part].at(x, y);
+    return scene.planes.ahead(face.part).at(x, y);
   };
-  return P.plane != Q.plane && zQ + ahead(Q) - zP - ahead(P) <= P.doubt.at(zP) + Q.doubt.at(zQ);
+  return P.plane != Q.plane &&
+         zQ + ahead(Q) - zP - ahead(P) <= scene.doubtOf(P).at(zP) + scene.doubtOf(Q).at(zQ);
 }
 
 /// Calls visit(k, face) for each sample of each face.

@@ -225,17 +225,15 @@ bool addFace(SnappedScene& scene, std::vector<glm::ivec3> outline, int plane) {
   const std::int64_t area = count < 3 ? 0 : doubleArea(outline.data(), count);
   if (area == 0) return false;
   if (area < 0) std::ranges::reverse(outline);
-  if (plane < 0) {
+  const bool isNew = plane < 0;
+  if (!isNew)
+    for (SnappedFace& face : scene.faces) face.throughVertices &= face.plane != plane;
+  if (isNew) {
     plane = static_cast<int>(scene.planes.size());
-    scene.planes.push_back(planeThrough(outline.data(), count));
+    scene.planes.add(planeThrough(outline.data(), count));
   }
-  scene.faces.push_back({static_cast<int>(scene.vertices.size()),
-                         count,
-                         static_cast<int>(scene.faces.size()),
-                         0,
-                         false,
-                         plane,
-                         {}});
+  scene.faces.push_back({static_cast<int>(scene.vertices.size()), count, static_cast<int>(scene.faces.size()),
+                         0, false, count == 3 && isNew, plane});
   scene.vertices.insert(scene.vertices.end(), outline.begin(), outline.end());
   return true;
 }

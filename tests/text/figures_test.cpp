@@ -157,7 +157,7 @@ TEST(Exercises, TheLostHighlight) {
 TEST(Exercises, HowTheWorkGrows) {
   for (const int divisions : {2, 4, 8}) {
     const Scene scene = readScene("teapot", divisions);
-    const Picture picture = makePicture(scene, settingsOf(scene, 800, 600));
+    const Picture picture = makePicture(scene, settingsOf(scene, 800, 600)).withPlanes();
     const auto run = [&](bool textbook) {
       return depthSort(picture.snapped(),
                        {.width = 800, .height = 600, .textbook = textbook, .areas = false});

@@ -83,6 +83,7 @@ Object statsOf(const Options& options, const Picture& picture, const StageTimes&
           {"fragments", painted},
           {"painted", painted},
           {"free", sort.free},
+          {"planes_made", scene.planes.made()},
           {"splits", sort.splits},
           {"areas", sort.areas},
           {"hidden", sort.hidden},

@@ -12,7 +12,7 @@
 #include "depthsort/oracle.h"
 #include "depthsort/pair_tests.h"
 #include "depthsort/samples.h"
-#include "geometry/view/touch.h"
+#include "geometry/view/scene_planes.h"
 #include "shading/diagnose/judge_order.h"
 #include "shading/laboratory/exactness.h"
 #include "x11/drawing/wording.h"

@@ -23,8 +23,7 @@ RunRecord::RunRecord(const Picture& picture, bool all)
   const Regions regions{scene()};
   for (int f = 0; f < static_cast<int>(scene().faces.size()); ++f) {
     const SnappedFace& face = scene().faces[f];
-    Part& whole = parts_.emplace_back(Fragment{f}, Region{},
-                                      extentsOf(scene(), face, tests_.vertexDepthsAreExact(face)));
+    Part& whole = parts_.emplace_back(Fragment{f}, Region{}, extentsOf(scene(), face));
     regions.outline(face, whole.region);
   }
 }

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "depthsort/extents.h"
+#include "depthsort/pieces.h"
 #include "depthsort/pair_tests.h"
 #include "shading/picture/picture.h"
 #include "x11/homework/run_file.h"

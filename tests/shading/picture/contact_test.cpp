@@ -130,7 +130,8 @@ TEST(Contact, SplitsNothing) {
       pictures.make(s);
       const SortStatistics& quick = pictures.last().sorted().statistics;
       EXPECT_EQ(quick.splits, 0);
-      EXPECT_EQ(depthSort(pictures.last().snapped(), {kWidth, kHeight, true}).statistics.splits, 0);
+      EXPECT_EQ(depthSort(pictures.last().withPlanes().snapped(), {kWidth, kHeight, true}).statistics.splits,
+                0);
       contacts += quick.contacts;
       const Exactness e = exactnessOf(pictures.last());
       EXPECT_EQ(e.wrong, 0);

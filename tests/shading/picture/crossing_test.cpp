@@ -133,7 +133,8 @@ TEST(Crossing, ToriSplitOnceForEachPartOfACrossing) {
       s.cull = Cull::Keep;
       s.camera = wholeScene(s.camera, seed);
       pictures.make(s);
-      const SnappedScene& snapped = pictures.last().snapped();
+      const Picture complete = pictures.last().withPlanes();
+      const SnappedScene& snapped = complete.snapped();
       ASSERT_EQ(snapped.faces.size(), parts.face.size());
       const auto splits = splitsOf(pictures.last().sorted(), snapped);
       const SortStatistics& statistics = pictures.last().sorted().statistics;

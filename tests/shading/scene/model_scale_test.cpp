@@ -82,7 +82,8 @@ Mesh soup(std::mt19937& rng) { return triangleSoup(30, 1.0, rng()); }
 
 /// Counts samples that show a face. The test fails if a face differs from the oracle's and may not touch it.
 long agreeing(const Picture& picture) {
-  const SnappedScene& snapped = picture.snapped();
+  const Picture complete = picture.withPlanes();
+  const SnappedScene& snapped = complete.snapped();
   const std::vector<int> seen = visibleFaces(snapped, kWidth, kHeight);
   const std::vector<int> shown = painted(snapped, picture.sorted(), kWidth, kHeight);
   for (int k = 0; k < kWidth * kHeight; ++k) {
@@ -251,7 +252,8 @@ TEST(ModelScale, PermutedFacesShowTheSame) {
       permuted.make(s);
       const std::vector<std::uint32_t> shown = pictures.last().faceImage(),
                                        other = permuted.last().faceImage();
-      const SnappedScene& snapped = pictures.last().snapped();
+      const Picture complete = pictures.last().withPlanes();
+      const SnappedScene& snapped = complete.snapped();
       const std::vector<int> seen = visibleFaces(snapped, kWidth, kHeight);
       std::vector<char> either = doubtful(snapped, seen, kWidth, kHeight);
       forEachSample(snapped, kWidth, kHeight, [&](int k, int f) {

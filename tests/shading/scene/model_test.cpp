@@ -32,7 +32,8 @@ TEST(Model, PaintsWhatTheOracleSees) {
       SCOPED_TRACE(seed);
       Tally& tally = tallies[seed % kSeen.size()];
       pictures.make(randomView(pictures.scene(), seed, kWidth, kHeight));
-      const SnappedScene& snapped = pictures.last().snapped();
+      const Picture complete = pictures.last().withPlanes();
+      const SnappedScene& snapped = complete.snapped();
       tally.culled += snapped.culled;
       tally.clipped += snapped.outside;
       const std::vector<int> seen = visibleFaces(snapped, kWidth, kHeight);
@@ -81,15 +82,17 @@ TEST(Model, WhatIsNearTheEyeLeavesNoDoubtAboutTheRest) {
       PictureSettings s = randomView(pictures.scene(), seed, kWidth, kHeight);
       s.cull = Cull::Keep;
       pictures.make(s);
-      const SnappedScene& snapped = pictures.last().snapped();
+      const Picture complete = pictures.last().withPlanes();
+      const SnappedScene& snapped = complete.snapped();
       const std::vector<int> seen = visibleFaces(snapped, kWidth, kHeight);
       EXPECT_EQ(painted(snapped, pictures.last().sorted(), kWidth, kHeight), seen);
       samples += std::ranges::count_if(seen, [](int face) { return face != kNothing; });
       splits += pictures.last().sorted().statistics.splits;
       near += std::ranges::count_if(snapped.faces, [&](const SnappedFace& face) {
         const auto first = snapped.vertices.begin() + face.first;
-        return std::any_of(first, first + face.count,
-                           [&](const glm::ivec3& v) { return face.doubt.at(v.z) > kGrid >> snapped.zShift; });
+        return std::any_of(first, first + face.count, [&](const glm::ivec3& v) {
+          return snapped.doubtOf(face).at(v.z) > kGrid >> snapped.zShift;
+        });
       });
     }
   }
@@ -115,7 +118,8 @@ TEST(Model, PiecesHaveTheColorOfTheirFace) {
         const IndexImage image = newell.make(s, 0).image();
         s.order = Order::Oracle;
         const IndexImage exact = oracle.make(s, 0).image();
-        const SnappedScene& snapped = newell.last().snapped();
+        const Picture complete = newell.last().withPlanes();
+        const SnappedScene& snapped = complete.snapped();
         const ColorTable table{s.table};
         const std::vector<std::uint32_t> shown = newell.last().faceImage(), seen = oracle.last().faceImage();
         std::vector<int> face = painted(snapped, newell.last().sorted(), kWidth, kHeight);

@@ -23,7 +23,7 @@ struct Recorded {
   SortedScene sorted;
 
   Recorded(const Scene& scene, int width, int height, bool textbook = true)
-      : picture{makePicture(scene, viewOf(scene, width, height))} {
+      : picture{makePicture(scene, viewOf(scene, width, height)).withPlanes()} {
     SortSettings sort{width, height, textbook};
     sort.record = true;
     sorted = depthSort(picture.snapped(), sort);
