@@ -1,10 +1,12 @@
 #include "shading/extremes/extreme_ways.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <string>
 
 #include "geometry/exact/box.h"
 #include "geometry/exact/scale.h"
@@ -19,9 +21,15 @@ namespace xnewell {
 
 namespace {
 
-std::vector<double> powers(double base, int from, int to, int step) {
+/// Powers of 2, or of 10 as the decimal numbers are read: std::pow() may round otherwise.
+std::vector<double> powers(int base, int from, int to, int step) {
   std::vector<double> values;
-  for (int k = from; step > 0 ? k <= to : k >= to; k += step) values.push_back(std::pow(base, k));
+  for (int k = from; step > 0 ? k <= to : k >= to; k += step) {
+    const std::string decimal = "1e" + std::to_string(k);
+    double power = std::ldexp(1.0, k);
+    if (base == 10) std::from_chars(decimal.data(), decimal.data() + decimal.size(), power);
+    values.push_back(power);
+  }
   return values;
 }
 
