@@ -63,13 +63,16 @@ std::string addressOf(std::string_view command) {
   constexpr std::array<std::string_view, 3> kOfThePicture{"-o", "--size", "--whole-window"};
   const std::optional<std::vector<std::string>> words = wordsOf(command);
   if (!words || words->size() < 2) return "";
+  const bool atPixel =
+      std::ranges::find(*words, "--pixel") != words->end();  // it is one of a window of that size
   std::string address;
   for (std::size_t k = 1; k < words->size(); ++k) {
     const std::string& word = (*words)[k];
     const bool option = word.starts_with('-'), command1 = k == 1 && isCommand(word);
     const bool takes = option && word.find('=') == word.npos && k + 1 < words->size() &&
                        !(*words)[k + 1].starts_with("--") && (*words)[k + 1] != "-o";
-    const bool left = std::ranges::find(kOfThePicture, word) != kOfThePicture.end();
+    const bool left =
+        std::ranges::find(kOfThePicture, word) != kOfThePicture.end() && !(atPixel && word == "--size");
     if (!left && !(command1 && word != "lesson" && word != "lecture")) {
       address += address.empty() ? "" : "&";
       const std::size_t equals = std::min(option ? word.find('=') : word.npos, word.size());

@@ -13,8 +13,8 @@ namespace xnewell {
 /// The arguments of the command, without "xnewell".
 [[nodiscard]] std::vector<std::string> argumentsOf(std::string_view address);
 
-/// The address of the window that a command shows, or draws a picture of: without the picture's file and
-/// size. "" if the command is no line of words.
+/// The address of the window that a command shows, or draws a picture of: without the picture's file, and
+/// without its size, unless it names a pixel. "" if the command is no line of words.
 [[nodiscard]] std::string addressOf(std::string_view command);
 
 }  // namespace xnewell

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,7 +57,8 @@ constexpr std::array kKeyNames{
 class Window {
  public:
   Window(const Options& options, Scene scene)
-      : scale_{options.gave("--scale") ? options.scale : 0},
+      : size_{options.size},
+        scale_{options.gave("--scale") ? options.scale : 0},
         bench_{std::move(scene), setupOf(options), forBench()} {
     resize();
     bench_.lessons().keepAnswers(options.answers.empty() ? "answers.json" : options.answers);
@@ -65,9 +67,10 @@ class Window {
   [[nodiscard]] Workbench& bench() { return bench_; }
 
   void resize() {
+    const glm::ivec2 size = size_.value_or(glm::ivec2{page.width, page.height});
     if (!bench_.scaleIsChosen())
-      bench_.scale(std::min(scale_ > 0 ? scale_ : page.unit, largestScale(page.width, page.height)));
-    bench_.resize(page.width, page.height);
+      bench_.scale(std::min(scale_ > 0 ? scale_ : page.unit, largestScale(size.x, size.y)));
+    bench_.resize(size.x, size.y);
   }
 
   /// Brings image and colours up to date, and says what was out of date.
@@ -143,7 +146,8 @@ class Window {
     return server;
   }
 
-  int scale_;  ///< that an option says; 0 for none
+  std::optional<glm::ivec2> size_;  ///< that an option says: then the page shows it larger or smaller
+  int scale_;                       ///< that an option says; 0 for none
   Workbench bench_;
   std::array<std::uint8_t, 1024> colors_{};
   std::string words_;

@@ -51,7 +51,7 @@ TEST(Address, IsACommandLine) {
 TEST(Address, IsThatOfACommand) {
   EXPECT_EQ(addressOf("xnewell snapshot teapot --size 1024x768 --whole-window --view pixel --pixel 288,158 "
                       "--shade phong -o picture.png"),
-            "teapot&view=pixel&pixel=288,158&shade=phong");
+            "teapot&size=1024x768&view=pixel&pixel=288,158&shade=phong");
   EXPECT_EQ(addressOf("xnewell draw cycle --size 100x80 --dither --eye=-3,4,9 -o picture.png"),
             "cycle&dither&eye=-3,4,9");
   EXPECT_EQ(addressOf("xnewell lesson 'my own.json' --step 2"), "lesson&my%20own.json&step=2");
