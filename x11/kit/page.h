@@ -20,7 +20,11 @@ namespace xnewell::page {
 /// What JSON has: with all digits.
 struct Data;
 using List = std::vector<Data>;
-using Object = std::vector<std::pair<std::string_view, Data>>;
+/// A type of its own: if a copy of a variant of strings and vectors alone is refused memory, g++ 12 destroys
+/// what it has not made.
+struct Object : std::vector<std::pair<std::string_view, Data>> {
+  using vector::vector;
+};
 struct Data : std::variant<std::nullptr_t, bool, std::int64_t, double, std::string, List, Object> {
   using variant::variant;
   Data(int v) : variant{std::int64_t{v}} {}

@@ -26,7 +26,7 @@ Picture pictureOf(const std::string& name, Shading shading = Shading::Flat) {
   PictureSettings settings = scene.settings;
   settings.width = kWidth, settings.height = kHeight;
   settings.shading = shading, settings.order = Order::Newell, settings.colors = ColorPlan::OneHue;
-  return makePicture(std::move(scene), settings, std::uint8_t{0});
+  return makePicture(std::move(scene), settings, std::uint8_t{0}).withPlanes();
 }
 
 VectorFigure figureOf(const Picture& picture, FigureColors colors, int strip = kStrip) {

@@ -73,7 +73,7 @@ TEST(Address, OfAPageWithItsFiles) {
   writeFile(folder.file("a/<!--.json"), "{}");
   writeFile(folder.file("a/b/x.obj"), "v 0 0 0\n");
   const std::set<std::string> read{placeOf(folder.file("a/<!--.json")), placeOf(folder.file("a/b/x.obj")),
-                                   (dataFolder() / "scenes/cycle.json").string()};
+                                   placeOf(dataFolder() / "scenes/cycle.json")};
   Options options;
   options.command = Command::Lesson;
   options.scene = folder.file("a/<!--.json");

@@ -121,6 +121,8 @@ TEST_F(WrittenFiles, AreAllInTheTable) {
     EXPECT_FALSE(option.places.empty()) << option.name;
     for (const std::string_view place : option.places) {
       const std::string_view command = place.substr(0, place.find(' '));
+      if (option.name == "--page" && command != "grade")
+        continue;  // needs the page of a browser: address_test.cpp
       EXPECT_EQ(
           std::ranges::count_if(
               kWriting, [&](const WritingRow& r) { return r.option == option.name && r.command == command; }),
