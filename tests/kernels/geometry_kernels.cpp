@@ -15,8 +15,8 @@
 #include "geometry/view/clip.h"
 #include "geometry/view/plane_record.h"
 #include "geometry/view/project.h"
-#include "geometry/view/screen_plane.h"
 #include "geometry/view/scene_planes.h"
+#include "geometry/view/screen_plane.h"
 #include "geometry/view/view.h"
 #include "shading/fill/lanes.h"
 #include "tests/kernels/big.h"
@@ -989,8 +989,8 @@ std::vector<Kernel> geometryKernels() {
        recordInput(1), preparedRecord, runRecord, judgeRecord, 2, 0.3},
       {"lead of a plane", "plane_record.h: the sum of both planes' bounds, and 2^-50 of the terms",
        recordInput(2), preparedRecord, runAhead, judgeAhead, 2, 0.2},
-      {"whether faces touch", "scene_planes.h: exact beyond 2^-49 of the terms", touchInput(), nullptr, runTouch,
-       judgeTouch},
+      {"whether faces touch", "scene_planes.h: exact beyond 2^-49 of the terms", touchInput(), nullptr,
+       runTouch, judgeTouch},
       {"meeting line of two planes", "region.h: 6 2^-53 of each coefficient", triangles(2), turned<2>,
        runCutLine, judgeCutLine},
       {"cut of a face and classification", "region.h: exact; a corner is within its radius", triangles(4),

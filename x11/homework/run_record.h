@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "depthsort/pieces.h"
 #include "depthsort/pair_tests.h"
+#include "depthsort/pieces.h"
 #include "shading/picture/picture.h"
 #include "x11/homework/run_file.h"
 

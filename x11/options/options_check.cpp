@@ -110,9 +110,8 @@ void checkView(const Options& o) {
   const ViewRow& row = rowOf(o.view);
   needsSize(view, o.size.value_or(kPictureSize), {row.leastWidth, row.leastHeight});
   if (o.stats || !o.ids.empty())
-    throw UsageError{
-        view +
-        " is not just the picture: --stats, --errors and --ids work only with --view picture"};
+    throw UsageError{view +
+                     " is not just the picture: --stats, --errors and --ids work only with --view picture"};
 }
 
 /// True if only a picture gives the option.
