@@ -163,6 +163,7 @@ void checkWords(const Options& o) {
       o.pixel && (o.pixel->x >= size.x || o.pixel->y >= size.y))
     refuseOutside(*o.pixel, size);
   if (given && o.scene.empty()) throw UsageError{"the scene's name is empty"};
+  if (!given && o.gave("--run")) throw UsageError{"--run needs the scene of that run, such as cycle"};
   const std::filesystem::path path{o.scene};
   if (o.commandMeant && !isBuiltIn(o.scene) && path.extension().empty() && !std::filesystem::exists(path))
     throw UsageError{o.scene +
