@@ -254,9 +254,10 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
     const auto wrong = std::ssize(run.landmarks().steps(Landmark::Failed));
     return {wrong == 0 ? "No step of this run is false."
                        : counted(wrong, "step") + " of this run " + (wrong == 1 ? "is" : "are") + " false.",
-            wrong == 0 ? "Each step is shown beside what is right."
-                       : "The timeline shows it in red: j goes to the next one. Each step is shown beside "
-                         "what is right.",
+            wrong == 0
+                ? "Each step is shown beside what is right."
+                : "The timeline has a red mark for each: j goes to the next one. Each step is shown beside "
+                  "what is right.",
             "", wrong > 0};
   }
   if (e == nullptr) {
