@@ -15,15 +15,39 @@ std::string inCell(std::string_view words) {
   return cell;
 }
 
-/// The rows that `others` has too are left out.
-std::string tableOf(std::string_view name, const KeyTable& keys, const KeyTable& others = {}) {
-  const std::vector<HelpLine> there = helpOf(others);
-  std::string table = "## " + std::string{name} + "\n\n| key | what it does |\n| --- | --- |\n";
-  for (const HelpLine& line : helpOf(keys)) {
-    if (std::ranges::find(there, line) != there.end()) continue;
-    table += "| " + inCell(line.keys) + " | " + inCell(line.does) + " |\n";
+/// The keys of one view, or of a part of it.
+struct KeyList {
+  std::string view, title;
+  std::vector<HelpLine> lines;
+};
+
+/// The lines that several lists have are told once, with the views that have them.
+std::string tablesOf(const std::vector<KeyList>& lists) {
+  const auto viewsWith = [&](const HelpLine& line) {
+    std::vector<std::string_view> views;
+    for (const KeyList& list : lists)
+      if (std::ranges::find(list.lines, line) != list.lines.end()) views.push_back(list.view);
+    return views;
+  };
+  std::string shared, others;
+  std::vector<HelpLine> told;
+  for (const KeyList& list : lists) {
+    others += "\n## " + list.title + "\n\n| key | what it does |\n| --- | --- |\n";
+    for (const HelpLine& line : list.lines) {
+      const std::string cells = "| " + inCell(line.keys) + " | " + inCell(line.does) + " |";
+      const std::vector<std::string_view> views = viewsWith(line);
+      if (views.size() < 2) {
+        others += cells + "\n";
+      } else if (std::ranges::find(told, line) == told.end()) {
+        told.push_back(line);
+        shared += cells;
+        for (const std::string_view view : views)
+          shared += (view == views.front() ? " " : ", ") + std::string{view};
+        shared += " |\n";
+      }
+    }
   }
-  return table + "\n";
+  return "\n## In several views\n\n| key | what it does | in |\n| --- | --- | --- |\n" + shared + others;
 }
 
 }  // namespace
@@ -31,16 +55,20 @@ std::string tableOf(std::string_view name, const KeyTable& keys, const KeyTable&
 std::string keyLists() {
   Workbench bench{readScene("teapot"), {}, {}};
   bench.resize(kWindowSize.x, kWindowSize.y);
-  std::string lists = "# All keys\n\n" + tableOf("In every view", bench.generalKeys());
-  for (const WindowViewRow& row : kWindowViews) {
+  std::vector<KeyList> lists{{"all", "In every view", helpOf(bench.generalKeys())}};
+  for (const ViewRow& row : kWindowViews) {
     bench.switchTo(row.id);
     bench.update();
-    lists += tableOf("View " + std::string{row.key} + ", " + std::string{row.name}, bench.bench().keys());
-    if (row.id != WindowView::DepthSort) continue;
-    const KeyTable before = bench.bench().keys();
+    const std::string key{row.key};
+    lists.push_back({key, "View " + key + ", " + std::string{row.title}, helpOf(bench.bench().keys())});
+    if (row.id != View::DepthSort) continue;
+    const std::vector<HelpLine> before = lists.back().lines;
     bench.press('Y');
     bench.update();
-    lists += tableOf("View 2, while you sort by hand: these, too", bench.bench().keys(), before);
+    lists.push_back(
+        {"2 by hand", "View 2, while you sort by hand: these, too", helpOf(bench.bench().keys())});
+    std::erase_if(lists.back().lines,
+                  [&](const HelpLine& line) { return std::ranges::find(before, line) != before.end(); });
     bench.press('Y');
   }
   // A step that asks a question, with the controls of all steps.
@@ -53,9 +81,8 @@ std::string keyLists() {
   bench.teach(std::move(lesson));
   bench.lessons().goTo(number);
   bench.update();
-  lists += tableOf("A step of a lesson: each has some of these", bench.bench().keys());
-  lists.pop_back();  // the empty line after the last table
-  return lists;
+  lists.push_back({"lessons", "A step of a lesson: each has some of these", helpOf(bench.bench().keys())});
+  return "# All keys\n" + tablesOf(lists);
 }
 
 }  // namespace xnewell

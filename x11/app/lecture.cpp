@@ -31,8 +31,8 @@ void Workbench::lecture(Lecture lecture) {
 }
 
 void Workbench::showPage() {
-  if (before_) switchTo(WindowView::Lesson);  // a view may still have the scene of a lesson
-  switchTo(WindowView::Picture);
+  if (before_) switchTo(View::Lesson);  // a view may still have the scene of a lesson
+  switchTo(View::Picture);
   const Page& page = lecture_->now();
   begin(workOn(page.scene, page.setup));
   lessons_->forget();
@@ -50,7 +50,7 @@ bool Workbench::turnsPage(const Key& key) {
   if (pages == 0) return false;
   // Inside a lesson its steps come first.
   if (const Lesson* const lesson = lessons_->lesson();
-      view() == WindowView::Lesson && lesson && !lessons_->showsList()) {
+      view() == View::Lesson && lesson && !lessons_->showsList()) {
     const int step = lessons_->step() + pages;
     if (step >= 0 && step < static_cast<int>(lesson->steps.size())) return false;
   }

@@ -17,7 +17,7 @@ struct Page {
   Scene scene;
   Setup setup;
   WindowPlace place;
-  std::optional<Lesson> lesson;  ///< opened in WindowView::Lesson
+  std::optional<Lesson> lesson;  ///< opened in View::Lesson
 };
 
 /// The pages of a lecture, and which one is shown. What the audience changes on a page is gone when the page

@@ -16,7 +16,6 @@
 #include "x11/server/read_cells.h"
 #include "x11/server/read_visuals.h"
 #include "x11/viewing/viewing_page.h"
-#include "x11/views/shows.h"
 #include "x11/views/views.h"
 
 namespace xnewell {
@@ -54,7 +53,7 @@ void refuseOtherPlace(const Options& o, const Workbench& bench) {
   const auto same = [&](std::string_view option, int wanted, int nearest) {
     if (wanted != nearest)
       throw UsageError{std::string{option} + ' ' + std::to_string(wanted) + " is not in --view " +
-                       o.viewName + ": the nearest is " + std::to_string(nearest)};
+                       std::string{rowOf(o.view).name} + ": the nearest is " + std::to_string(nearest)};
   };
   const PictureSettings& settings = bench.picture().settings();
   if (asks("--pixel") && asked.pixel != shown.pixel)
@@ -99,7 +98,7 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
     bench.resize(size.x, size.y);
     bench.goTo(options.window);
     bench.update();
-    if (bench.view() == WindowView::Trade)
+    if (bench.view() == View::Trade)
       for (; bench.moving(); bench.tick()) std::this_thread::sleep_for(std::chrono::milliseconds{20});
     for (int k = 0; k == 0 || (k < 3 && bench.stale() != Workbench::Stale::Nothing); ++k) bench.update();
     refuseOtherPlace(options, bench);

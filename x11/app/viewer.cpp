@@ -376,8 +376,8 @@ class Viewer {
   static constexpr double kLong = 100;  ///< ms; a longer update counts as long
 
   std::string title_;
-  bool tookLong_ = false;                  ///< true once any update took longer than kLong
-  WindowView view_ = WindowView::Picture;  ///< this and the next two describe the frame shown
+  bool tookLong_ = false;      ///< true once any update took longer than kLong
+  View view_ = View::Picture;  ///< this and the next two describe the frame shown
   Order order_ = {};
   int divisions_ = 0;
   CellPlan plan_;     ///< of the frame shown

@@ -34,23 +34,22 @@ Work Workbench::workOn(Scene scene, Setup setup) {
 Workbench::Workbench(Scene scene, const Setup& setup, Server server)
     : work_{std::move(scene), setup}, server_{std::move(server)} {
   fit(this->scene(), setup);
-  const auto own = [this](WindowView view, auto made) {
+  const auto own = [this](View view, auto made) {
     auto* const bench = made.get();
     benches_[static_cast<std::size_t>(view)] = std::move(made);
     return bench;
   };
   const auto subject = [this] { return this->subject(); };
-  own(WindowView::Picture, std::make_unique<PictureBench>(*this, subject));
-  stepper_ = own(WindowView::DepthSort, std::make_unique<SortBench>(*this));
-  colors_ = own(WindowView::Colors, std::make_unique<ColorsBench>(*this));
-  bands_ = own(WindowView::MachBands, std::make_unique<MachBench>(*this, subject));
-  sides_ = own(WindowView::SideBySide,
-               std::make_unique<SideBench>(*this, subject, [this] { return mostShades_; }));
-  own(WindowView::Trade, std::make_unique<TradeBench>(*this));
-  lessons_ = own(WindowView::Lesson, std::make_unique<LessonBench>(*this));
-  pixel_ = own(WindowView::Pixel, std::make_unique<PixelBench>(*this, subject));
-  viewing_ = own(WindowView::Viewing, std::make_unique<ViewingBench>(*this, subject));
-  scanline_ = own(WindowView::Scanline, std::make_unique<ScanlineBench>(*this, subject));
+  own(View::Picture, std::make_unique<PictureBench>(*this, subject));
+  stepper_ = own(View::DepthSort, std::make_unique<SortBench>(*this));
+  colors_ = own(View::Colors, std::make_unique<ColorsBench>(*this));
+  bands_ = own(View::MachBands, std::make_unique<MachBench>(*this, subject));
+  sides_ = own(View::SideBySide, std::make_unique<SideBench>(*this, subject, [this] { return mostShades_; }));
+  own(View::Trade, std::make_unique<TradeBench>(*this));
+  lessons_ = own(View::Lesson, std::make_unique<LessonBench>(*this));
+  pixel_ = own(View::Pixel, std::make_unique<PixelBench>(*this, subject));
+  viewing_ = own(View::Viewing, std::make_unique<ViewingBench>(*this, subject));
+  scanline_ = own(View::Scanline, std::make_unique<ScanlineBench>(*this, subject));
 }
 
 void Workbench::resize(int width, int height) {
@@ -64,7 +63,7 @@ void Workbench::scale(int unit) {
 }
 
 void Workbench::layOut() {
-  const Drawer open = few_.empty() || view_ != WindowView::Picture ? Drawer::Whole : Drawer::Few;
+  const Drawer open = few_.empty() || view_ != View::Picture ? Drawer::Whole : Drawer::Few;
   const bool hasDrawer = benches_[static_cast<std::size_t>(view_)]->hasDrawer();
   layout_ = layoutOf(width_, height_,
                      largest_ || scaleIsChosen_
@@ -97,7 +96,7 @@ void Workbench::takeNextScale() {
 }
 
 void Workbench::teach(Lesson lesson, int step) {
-  switchTo(WindowView::Lesson);
+  switchTo(View::Lesson);
   came_.reset();
   lessons_->start(std::move(lesson));
   if (step > 0) lessons_->goTo(step);
@@ -107,7 +106,7 @@ void Workbench::begin(const Options& options, std::optional<Lesson> lesson) {
   if (lesson)
     teach(std::move(*lesson), std::max(0, options.window.step - 1));
   else if (options.command == Command::Lesson)
-    switchTo(WindowView::Lesson);
+    switchTo(View::Lesson);
   else
     goTo(options.window);
 }
@@ -147,11 +146,11 @@ void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
   if (!why.empty()) notify(why);
 }
 
-void Workbench::switchTo(WindowView view) {
+void Workbench::switchTo(View view) {
   if (view_ == view) return;
   bench().leave();
   came_ = view_;
-  if (view_ == WindowView::Lesson && !before_) came_.reset();  // who left it for good does not go back
+  if (view_ == View::Lesson && !before_) came_.reset();  // who left it for good does not go back
   view_ = view;
   layOut();
   bench().enter();
@@ -160,17 +159,17 @@ void Workbench::switchTo(WindowView view) {
 void Workbench::goTo(const WindowPlace& place) {
   few_ = place.controls.value_or("");
   shut_ = place.controls && few_.empty();
-  if (place.view == WindowView::Scanline) {
+  if (place.view == View::Scanline) {
     if (place.polygon) scanline_->choose(*place.polygon);
     if (place.polygon || place.step > 0) scanline_->startAt(place.step);
-  } else if (place.view != WindowView::Viewing) {
+  } else if (place.view != View::Viewing) {
     if (!place.run.empty()) stepper_->open(place.run, scene());
     stepper_->startAt(place.step);
   }
   if (place.scanline) bands_->choose(*place.scanline);
   if (place.cell) colors_->choose(*place.cell);
   if (place.pixel) pixel_->choose(*place.pixel);
-  if (place.view == WindowView::Viewing) viewing_->begin(place.step, place.vertex.value_or(""));
+  if (place.view == View::Viewing) viewing_->begin(place.step, place.vertex.value_or(""));
   sides_->begin(place.beside, place.difference);
   switchTo(place.view);
   came_.reset();
@@ -179,16 +178,14 @@ void Workbench::goTo(const WindowPlace& place) {
 
 WindowPlace Workbench::place() const {
   WindowPlace place{.view = view()};
-  if (place.view == WindowView::DepthSort)
+  if (place.view == View::DepthSort)
     place.run = stepper_->theirs(), place.step = stepper_->view().own ? 0 : stepper_->view().step;
-  if (place.view == WindowView::MachBands) place.scanline = bands_->row();
-  if (place.view == WindowView::Colors) place.cell = colors_->inspected();
-  if (place.view == WindowView::Pixel) place.pixel = pixel_->pixel();
-  if (place.view == WindowView::Viewing) place.step = viewing_->stage(), place.vertex = viewing_->vertex();
-  if (place.view == WindowView::Scanline)
-    place.polygon = scanline_->polygon(), place.step = scanline_->view().step;
-  if (place.view == WindowView::SideBySide)
-    place.beside = sides_->ownOfB(), place.difference = sides_->kind();
+  if (place.view == View::MachBands) place.scanline = bands_->row();
+  if (place.view == View::Colors) place.cell = colors_->inspected();
+  if (place.view == View::Pixel) place.pixel = pixel_->pixel();
+  if (place.view == View::Viewing) place.step = viewing_->stage(), place.vertex = viewing_->vertex();
+  if (place.view == View::Scanline) place.polygon = scanline_->polygon(), place.step = scanline_->view().step;
+  if (place.view == View::SideBySide) place.beside = sides_->ownOfB(), place.difference = sides_->kind();
   if (layout_.drawer != Drawer::Whole) place.controls = layout_.drawer == Drawer::Few ? few_ : "";
   return place;
 }
@@ -201,21 +198,21 @@ void Workbench::explain(double x, double y) {
         placeSeen(picture(), static_cast<int>(x * settings.width), static_cast<int>(y * settings.height));
     if (place) pixel_->choose(*place);
   }
-  switchTo(WindowView::Pixel);
+  switchTo(View::Pixel);
 }
 
 void Workbench::sortFrom(int step) {
   stepper_->startAt(step);
-  switchTo(WindowView::DepthSort);
+  switchTo(View::DepthSort);
 }
 
 void Workbench::fill(const std::string& polygon) {
   scanline_->choose(polygon);
-  switchTo(WindowView::Scanline);
+  switchTo(View::Scanline);
 }
 
 void Workbench::compare(const Setup& B) {
-  switchTo(WindowView::SideBySide);
+  switchTo(View::SideBySide);
   sides_->put(
       B, Unlike::Intensity);  // after the view was entered, because then B follows what was changed elsewhere
 }
@@ -240,7 +237,7 @@ bool Workbench::grab(int x, int y) {
   if (lecture_) lecture_->wait();
   line_.cancel();
   x /= layout_.unit, y /= layout_.unit;
-  if (const std::optional<WindowView> tab = tabAt(layout_, x, y)) return switchTo(*tab), false;
+  if (const std::optional<View> tab = tabAt(layout_, x, y)) return switchTo(*tab), false;
   if (!isDrawn()) return false;
   work_.endStep();
   return bench().grab(x, y);

@@ -124,11 +124,11 @@ class Workbench : public Host {
   [[nodiscard]] const Scene& scene() const { return work_.pictures.scene(); }
   /// The picture that the last update() made. Precondition: hasShown().
   [[nodiscard]] const Picture& picture() const { return shown_.value().picture; }
-  [[nodiscard]] WindowView view() const { return layout_.roomy ? view_ : WindowView::Picture; }
+  [[nodiscard]] View view() const { return layout_.roomy ? view_ : View::Picture; }
   /// True if an X server must fill the polygons at pictureArea().
   [[nodiscard]] bool serverFills() const {
-    return work_.setup.fill == Fill::XFillPolygon && view() == WindowView::Picture &&
-           work_.setup.show == Show::Shaded;
+    return work_.setup.fill == Fill::XFillPolygon && view() == View::Picture &&
+           work_.setup.show == View::Picture;
   }
   /// The place of the picture of the first view in image().
   [[nodiscard]] Rect pictureArea() const { return inPixels(layout_.picture); }
@@ -167,7 +167,7 @@ class Workbench : public Host {
   [[nodiscard]] const Setup& defaults() const override { return work_.defaults; }
   void open(Scene scene, const Setup& setup) override;
   void close() override;
-  void switchTo(WindowView view) override;
+  void switchTo(View view) override;
   void explain(double x, double y) override;
   void sortFrom(int step) override;
   void fill(const std::string& polygon) override;
@@ -184,7 +184,7 @@ class Workbench : public Host {
   /// What decides which cells the window shows, as far as the workbench knows. A bench may know more:
   /// Bench::late().
   struct Indices {
-    WindowView view;
+    View view;
     int width, height, unit;
     Setup painted;  ///< without the colours of the cells
     std::string notice, told;
@@ -254,7 +254,7 @@ class Workbench : public Host {
            shown_->indices.drawer == layout_.drawer;
   }
   /// True if the window shows the scene of a lesson's step in another view.
-  [[nodiscard]] bool visitsFromLesson() const { return before_ && view() != WindowView::Lesson; }
+  [[nodiscard]] bool visitsFromLesson() const { return before_ && view() != View::Lesson; }
   /// Notifies the user if there was nothing to undo or redo.
   void done(bool something, const char* what);
   void quit();
@@ -272,10 +272,10 @@ class Workbench : public Host {
   PixelBench* pixel_;
   ViewingBench* viewing_;
   ScanlineBench* scanline_;
-  WindowView view_ = WindowView::Picture;
-  std::optional<WindowView> came_;  ///< the view before, to which Esc goes back
-  int width_ = 0, height_ = 0;      ///< of the window, in pixels
-  int unit_ = 1;                    ///< the scale, unless the window fills the screen
+  View view_ = View::Picture;
+  std::optional<View> came_;    ///< the view before, to which Esc goes back
+  int width_ = 0, height_ = 0;  ///< of the window, in pixels
+  int unit_ = 1;                ///< the scale, unless the window fills the screen
   bool fillsScreen_ = false, largest_ = false, scaleIsChosen_ = false;
   bool shut_ = false;  ///< the user has put the controls away
   std::string few_;    ///< the keys of the controls that a page of a lecture names; "": all

@@ -41,11 +41,8 @@ std::string writeNewPng(const std::string& stem, const std::string& png) {
   return file;
 }
 
-/// What --view calls a view.
-std::string_view viewOption(WindowView view, Show show) {
-  if (view == WindowView::Picture && show != Show::Shaded) return kShows[static_cast<std::size_t>(show)].name;
-  return kWindowViews[static_cast<std::size_t>(view)].option;
-}
+/// What --view calls a view, of which view 1 shows `show`.
+std::string_view viewOption(View view, View show) { return rowOf(view == View::Picture ? show : view).name; }
 
 }  // namespace
 
@@ -57,7 +54,7 @@ void Workbench::copyCommand() {
   settings.width = shown.width, settings.height = shown.height;
   try {
     // The picture of view 1 alone, unless the drawer beside it belongs to what is shown.
-    const bool alone = view() == WindowView::Picture && layout_.drawer == Drawer::Whole;
+    const bool alone = view() == View::Picture && layout_.drawer == Drawer::Whole;
     const std::string whole = alone ? "" : pictureNote();
     std::string text;
     for (const std::string& line : bench().inWords()) text += "# " + visible(line) + '\n';
@@ -73,13 +70,13 @@ void Workbench::copyCommand() {
 }
 
 std::string Workbench::pictureName() const {
-  if (view() == WindowView::Lesson && lessons_->lesson() && !lessons_->showsList())
+  if (view() == View::Lesson && lessons_->lesson() && !lessons_->showsList())
     return stemOf(lessons_->lesson()->title) + "-step-" + std::to_string(lessons_->step() + 1);
   return stemOf(scene().name) + '-' + std::string{viewOption(view(), work_.setup.show)};
 }
 
 std::string Workbench::pictureNote() const {
-  if (view() == WindowView::Lesson) {
+  if (view() == View::Lesson) {
     const Lesson* const lesson = lessons_->showsList() ? nullptr : lessons_->lesson();
     return lesson ? lessonNote(lesson->source, {width_, height_}, layout_.unit, lessons_->step() + 1) : "";
   }
@@ -109,7 +106,7 @@ void Workbench::writePicture() {
 std::string Workbench::writeFigure(const std::string& file) {
   constexpr int kMostFaces = 20'000;  // with more the window would stand still for seconds
   const bool shows =
-      view() == WindowView::DepthSort || (view() == WindowView::Picture && work_.setup.show == Show::Shaded);
+      view() == View::DepthSort || (view() == View::Picture && work_.setup.show == View::Picture);
   PictureSettings settings = sized();
   const OrderRow& order = rowOf(settings.order);
   if (!shows || order.bySample || settings.order == Order::Bsp || scene().mesh.faceCount() > kMostFaces ||
@@ -137,7 +134,7 @@ void Workbench::askToSave() {
       [this](const std::string& file) {
         work_.save(file);
         told_ = "Saved. \"xnewell " + file + "\" shows " +
-                (view() == WindowView::Picture ? "it" : "the picture of view 1") + " again.";
+                (view() == View::Picture ? "it" : "the picture of view 1") + " again.";
       }));
 }
 

@@ -51,10 +51,10 @@ KeyTable Workbench::generalKeys() {
     table.push_back({{letter}, legend, does, [act](const Key&) { act(); }});
   };
   if (came_ || visitsFromLesson()) {
-    const WindowView to = came_.value_or(WindowView::Lesson);
+    const View to = came_.value_or(View::Lesson);
     table.push_back({{NamedKey::Escape},
-                     to == WindowView::Lesson ? "the lesson" : "back",
-                     to == WindowView::Lesson ? "go back to the lesson" : "go back to the view before",
+                     to == View::Lesson ? "the lesson" : "back",
+                     to == View::Lesson ? "go back to the lesson" : "go back to the view before",
                      [this, to](const Key&) {
                        switchTo(to);
                        came_.reset();
@@ -82,7 +82,7 @@ KeyTable Workbench::generalKeys() {
       layOut();
     });
   add('Z', "", "larger letters and controls; after the largest, the smallest", [this] { takeNextScale(); });
-  for (const WindowViewRow& row : kWindowViews)
+  for (const ViewRow& row : kWindowViews)
     add(row.key, "", "the views; or click their names", [this, id = row.id] { switchTo(id); });
   add('q', "quit", "quit", [this] { quit(); });
   add('?', "all keys", "open this list, close it", [this] { help_ = !help_; });

@@ -46,7 +46,6 @@
 #include "x11/terminal/memory.h"
 #include "x11/terminal/terminal.h"
 #include "x11/viewing/viewing_page.h"
-#include "x11/views/shows.h"
 #include "x11/views/views.h"
 #include "x11/visual/x11_error.h"
 #include "x11/window/moot.h"

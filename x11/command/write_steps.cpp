@@ -94,7 +94,7 @@ void writeStepperFrames(const Options& options, Scene scene, const std::function
   const glm::ivec2 size = windowSize(options);
   bench.scale(options.scale);
   bench.resize(size.x, size.y);
-  bench.switchTo(WindowView::DepthSort);
+  bench.switchTo(View::DepthSort);
   const auto draw = [&] {
     while (bench.stale() != Workbench::Stale::Nothing) bench.update();
   };

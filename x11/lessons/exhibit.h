@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "depthsort/depth_sort.h"
@@ -12,26 +10,18 @@
 #include "shading/picture/palette_effects.h"
 #include "shading/scene/picture_settings.h"
 #include "shading/scene/scene.h"
+#include "x11/views/view_table.h"
 
 namespace xnewell {
 
 /// What a step of a lesson shows: a scene, its settings, and what stands beside it.
 
-/// What is shown below the picture, or instead of it.
-enum class Stage { Picture, DepthSort, Colors, MachBands, SideBySide, Scanline, Viewing };
+/// What may be shown below the picture of a step, or instead of it, with the name that a lesson's file uses.
 struct StageRow {
-  Stage id;
-  std::string_view name, shows;
+  View id;
+  std::string name;  ///< the title of the view, without capitals
 };
-inline constexpr std::array kStages{
-    StageRow{Stage::Picture, "picture", "the picture, and its numbers"},
-    StageRow{Stage::DepthSort, "depth sort", "the picture so far, P and Q, and the tests of one step"},
-    StageRow{Stage::Colors, "colours", "what the cells hold, and the step from each to the next"},
-    StageRow{Stage::MachBands, "mach bands", "the intensity along the middle row, for three methods"},
-    StageRow{Stage::SideBySide, "side by side", "two ways to draw the scene, and how much differs"},
-    StageRow{Stage::Scanline, "scanline", "the first named face, pixel by pixel, and the drift of its steps"},
-    StageRow{Stage::Viewing, "viewing", "the scene from outside, at a stage of the viewing transformation"},
-};
+[[nodiscard]] std::vector<StageRow> stageRows();
 
 /// A step of the textbook run of the depth sort: the n-th of a kind, or the n-th that a test settled.
 struct EventChoice {
@@ -58,20 +48,20 @@ struct Claim {
 struct Exhibit {
   std::shared_ptr<const Scene> scene;
   std::string sceneName;
-  PictureSettings settings;  ///< without the size
-  Stage stage = Stage::Picture;
-  std::string line;  ///< a line of words over the picture
+  PictureSettings settings;    ///< without the size
+  View stage = View::Picture;  ///< one of stageRows()
+  std::string line;            ///< a line of words over the picture
   std::vector<NamedFace> names;
   bool extents = false;      ///< the z-extents of the named faces are drawn below
   bool named = true;         ///< the names are shown
   bool wrongMarked = false;  ///< samples that show a wrong face are marked
   PaletteEffects effects;
-  EventChoice event;       ///< for Stage::DepthSort
-  int stepBits = 24;       ///< for Stage::Scanline and its facts: after the point of a value that is stepped
-  double filled = 0.6;     ///< for Stage::Scanline: the share of the samples that are filled
-  PictureSettings beside;  ///< for Stage::SideBySide: the lower picture
+  EventChoice event;       ///< for View::DepthSort
+  int stepBits = 24;       ///< for View::Scanline and its facts: after the point of a value that is stepped
+  double filled = 0.6;     ///< for View::Scanline: the share of the samples that are filled
+  PictureSettings beside;  ///< for View::SideBySide: the lower picture
   std::string upperLine, lowerLine;
-  /// For Stage::Viewing: the stage that is shown, the one at which the light is computed, and the vertex that
+  /// For View::Viewing: the stage that is shown, the one at which the light is computed, and the vertex that
   /// is followed.
   ViewStage viewStage = ViewStage::World, shadedIn = ViewStage::World;
   FaceCorner vertex;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "geometry/files/data_folder.h"
 #include "geometry/files/text_file.h"
@@ -363,7 +364,7 @@ Exhibit readExhibit(const Node& node, const Exhibit* base, SceneShelf& shelf) {
   if (node.has("names")) readNames(exhibit, node.at("names"));
   if (node.has("listed")) readListed(exhibit, node.at("listed"));
   readSettings(exhibit.settings, node, *exhibit.scene);
-  if (node.has("window")) exhibit.stage = node.at("window").choice(kStages);
+  if (node.has("window")) exhibit.stage = node.at("window").choice(stageRows());
   if (node.has("line")) exhibit.line = node.at("line").text();
   if (node.has("extents")) exhibit.extents = node.at("extents").truth();
   if (exhibit.extents && exhibit.names.empty())
@@ -373,13 +374,23 @@ Exhibit readExhibit(const Node& node, const Exhibit* base, SceneShelf& shelf) {
   if (node.has("event")) exhibit.event = readEvent(node.at("event"));
   if (node.has("scanline")) readScanline(exhibit, node.at("scanline"));
   if (node.has("beside")) readBeside(exhibit, node.at("beside"));
-  if (exhibit.stage == Stage::SideBySide && !node.has("beside") &&
-      (!base || base->stage != Stage::SideBySide))
+  if (exhibit.stage == View::SideBySide && !node.has("beside") && (!base || base->stage != View::SideBySide))
     node.fail("side by side needs beside");
   if (node.has("claims"))
     for (const std::string& name : node.at("claims").keys())
       exhibit.claims.push_back(readClaim(name, node.at("claims").at(name)));
   return exhibit;
+}
+
+std::vector<StageRow> stageRows() {
+  std::vector<StageRow> rows;
+  for (const View view : {View::Picture, View::DepthSort, View::Colors, View::MachBands, View::SideBySide,
+                          View::Scanline, View::Viewing}) {
+    rows.push_back({view, std::string{rowOf(view).title}});
+    std::ranges::transform(rows.back().name, rows.back().name.begin(),
+                           [](char c) { return std::tolower(c); });
+  }
+  return rows;
 }
 
 std::optional<int> stepOf(const SortedScene& run, const EventChoice& choice) {

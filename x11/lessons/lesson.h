@@ -106,7 +106,7 @@ void expectExhibitKeys(const Node& node, std::initializer_list<std::string_view>
 ///   "scene"      a built-in name, or a file in the folder; "divisions" of its patches
 ///   "listed"     all face numbers, in the order in which the scene lists them
 ///   "camera", "shading"  as in scene files (scene_file.h), in place of the scene's own
-///   "window"     one of kStages
+///   "window"     one of stageRows()
 ///   "line"       a line of words over the picture
 ///   "names"      {"A": 0, ...}: letters for faces; "extents" true: their z-extents below it
 ///   "wrong"      true: samples that show a wrong face are marked

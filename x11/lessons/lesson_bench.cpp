@@ -51,7 +51,7 @@ void LessonBench::openExhibit() {
                 t.given ? now().question->answers[static_cast<std::size_t>(*t.chosen)].shown : now().exhibit};
   state_.event = 0;  // set to the exhibit's event once the run is known
   lower_.reset();
-  if (state_.exhibit.stage == Stage::SideBySide) lower_.emplace(Scene{*state_.exhibit.scene});
+  if (state_.exhibit.stage == View::SideBySide) lower_.emplace(Scene{*state_.exhibit.scene});
   Setup first;
   first.picture = state_.exhibit.settings;
   Scene scene = *state_.exhibit.scene;
@@ -81,7 +81,7 @@ void LessonBench::leave() {
 void LessonBench::leaveForGood() {
   if (opened_) host_.close();
   opened_ = false;
-  host_.switchTo(WindowView::Picture);
+  host_.switchTo(View::Picture);
 }
 
 void LessonBench::choose(int answer) {
@@ -164,7 +164,7 @@ KeyTable LessonBench::ownKeys() {
     }
     add('2', "open in the stepper", "the step's scene in the stepper", [this] {
       handing_ = true;  // the stepper keeps the lesson's scene
-      host_.sortFrom(state_.exhibit.stage == Stage::DepthSort ? state_.event : 0);
+      host_.sortFrom(state_.exhibit.stage == View::DepthSort ? state_.event : 0);
     });
     add('8', "explain", "the pixel of the named face, or the middle, in view 8", [this] {
       handing_ = true;  // view 8 keeps the lesson's scene, too
@@ -237,7 +237,7 @@ void LessonBench::drawStep(Painter paint, const Desk& desk) {
     lower = lower_->make(settings, desk.plan[Cell::Well]);
   }
   const IndexImage* const lowerImage = lower ? &lower->image() : nullptr;
-  const bool sorts = state_.exhibit.stage == Stage::DepthSort;
+  const bool sorts = state_.exhibit.stage == View::DepthSort;
   const Picture picture = sorts ? desk.picture.withPlanes() : desk.picture;
   std::optional<SortedScene> run;
   if (sorts) {

@@ -148,7 +148,7 @@ class LessonBench : public Bench {
   std::vector<Taken> taken_;  ///< one for each step
   KeptAnswers answers_;
   LessonState state_;
-  std::optional<PictureCache> lower_;  ///< of Stage::SideBySide
+  std::optional<PictureCache> lower_;  ///< of View::SideBySide
   std::vector<std::string> caption_;   ///< of captionOf_, filled in
   int captionOf_ = -1;
   bool opened_ = false;   ///< the window shows the lesson's scene

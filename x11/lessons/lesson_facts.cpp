@@ -415,7 +415,7 @@ double facesOff(const Picture& picture, const ViewingStory& story, ViewStage sha
 ViewingFacts viewingFactsOf(const Picture& picture, const Exhibit& exhibit) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   ViewingFacts facts{kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone};
-  if (exhibit.stage != Stage::Viewing) return facts;
+  if (exhibit.stage != View::Viewing) return facts;
   const ViewingStory story{picture, exhibit.vertex};
   const VertexAtStage &world = story.world(), &here = story.of(exhibit.viewStage);
   facts.worldNdotL = world.NdotL.value_or(kNone), facts.worldI = world.I;
@@ -444,7 +444,7 @@ void check(const Exhibit& exhibit, const std::string& place, const Layout& windo
   };
   const Picture picture = drawn(exhibit.settings, at.picture);
   std::optional<Picture> lower;
-  if (exhibit.stage == Stage::SideBySide) lower = drawn(exhibit.beside, at.lower);
+  if (exhibit.stage == View::SideBySide) lower = drawn(exhibit.beside, at.lower);
   ShownExhibit facts{picture, picture.image(), lower ? &lower->image() : nullptr, exhibit};
   for (const Claim& claim : exhibit.claims) {
     if (facts.holds(claim)) continue;

@@ -38,7 +38,7 @@ enum class FactNeeds { Picture, Run, Oracle, Profile, Range, Beside, Face, Scanl
 struct FactSources {
   const Picture& picture;
   const IndexImage& image;   ///< the picture, painted
-  const IndexImage* beside;  ///< the second picture of Stage::SideBySide, or null
+  const IndexImage* beside;  ///< the second picture of View::SideBySide, or null
   /// FactNeeds::Run: the textbook run.
   std::optional<SortStatistics> run = {};
   std::size_t steps = 0, painted = 0;
@@ -91,7 +91,7 @@ struct FactRow {
 /// An exhibit as it is shown, and its facts. All that is passed must outlive this.
 class ShownExhibit {
  public:
-  /// `image` is the picture painted, `beside` the second picture of Stage::SideBySide or null. A fact is
+  /// `image` is the picture painted, `beside` the second picture of View::SideBySide or null. A fact is
   /// computed when it is first asked for, each part of the work once.
   ShownExhibit(const Picture& picture, const IndexImage& image, const IndexImage* beside,
                const Exhibit& exhibit)

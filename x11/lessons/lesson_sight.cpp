@@ -390,18 +390,18 @@ SightLayout layoutOfSight(const Rect& area, const Exhibit& exhibit, bool compact
   SightLayout at{.picture = area, .lower = {}, .below = {}, .compact = compact};
   int height = 0;
   if (exhibit.extents) height = 44 + (compact ? 21 : 22) * static_cast<int>(exhibit.names.size());
-  if (exhibit.stage == Stage::DepthSort) height = compact ? 194 : 206;
-  if (exhibit.stage == Stage::Colors) height = compact ? 170 : 236;
-  if (exhibit.stage == Stage::MachBands) height = compact ? 230 : 330;
-  if (exhibit.stage == Stage::SideBySide) height = 18;
-  if (exhibit.stage == Stage::Scanline) height = area.height * 6 / 10;
-  if (exhibit.stage == Stage::Viewing) height = compact ? 110 : 150;
+  if (exhibit.stage == View::DepthSort) height = compact ? 194 : 206;
+  if (exhibit.stage == View::Colors) height = compact ? 170 : 236;
+  if (exhibit.stage == View::MachBands) height = compact ? 230 : 330;
+  if (exhibit.stage == View::SideBySide) height = 18;
+  if (exhibit.stage == View::Scanline) height = area.height * 6 / 10;
+  if (exhibit.stage == View::Viewing) height = compact ? 110 : 150;
   if (height > 0) {
     constexpr int kGap = 14;
     at.below = {area.x, area.y + area.height - height, area.width, height};
     at.picture.height -= height + kGap;
   }
-  if (exhibit.stage == Stage::SideBySide) {
+  if (exhibit.stage == View::SideBySide) {
     constexpr int kGap = 8;
     const int half = (at.picture.height - kGap) / 2;
     at.picture.height = half;
@@ -451,25 +451,25 @@ std::unique_ptr<ScanlineRun> scanlineOfFace(const Picture& picture, int number, 
 void drawSight(Painter paint, const SightLayout& at, const Sight& sight) {
   SightPen pen{{paint, sight.plan}, at, sight};
   const Exhibit& exhibit = sight.exhibit;
-  if (exhibit.stage == Stage::DepthSort && sight.run)
+  if (exhibit.stage == View::DepthSort && sight.run)
     drawRun(pen);
-  else if (exhibit.stage == Stage::Viewing)
+  else if (exhibit.stage == View::Viewing)
     drawViewing(pen);
   else
     pen.paint.within(at.picture).place(sight.image, at.picture.x, at.picture.y);
-  if (exhibit.stage == Stage::Viewing) return pen.line(at.picture, exhibit.line);
-  if (exhibit.wrongMarked && exhibit.stage != Stage::DepthSort) markWrong(pen);
-  if (exhibit.named && !exhibit.names.empty() && exhibit.stage != Stage::DepthSort) drawNames(pen);
+  if (exhibit.stage == View::Viewing) return pen.line(at.picture, exhibit.line);
+  if (exhibit.wrongMarked && exhibit.stage != View::DepthSort) markWrong(pen);
+  if (exhibit.named && !exhibit.names.empty() && exhibit.stage != View::DepthSort) drawNames(pen);
   if (exhibit.extents) drawExtents(pen);
-  if (exhibit.stage == Stage::Colors) drawCurves(pen);
-  if (exhibit.stage == Stage::MachBands) drawProfiles(pen);
-  if (exhibit.stage == Stage::Scanline) drawFilling(pen);
-  if (exhibit.stage == Stage::SideBySide && sight.lower) {
+  if (exhibit.stage == View::Colors) drawCurves(pen);
+  if (exhibit.stage == View::MachBands) drawProfiles(pen);
+  if (exhibit.stage == View::Scanline) drawFilling(pen);
+  if (exhibit.stage == View::SideBySide && sight.lower) {
     pen.paint.within(at.lower).place(*sight.lower, at.lower.x, at.lower.y);
     pen.line(at.lower, exhibit.lowerLine);
     drawDifference(pen);
   }
-  pen.line(at.picture, exhibit.stage == Stage::SideBySide ? exhibit.upperLine : exhibit.line);
+  pen.line(at.picture, exhibit.stage == View::SideBySide ? exhibit.upperLine : exhibit.line);
 }
 
 }  // namespace xnewell

@@ -18,7 +18,7 @@ namespace xnewell {
 
 struct SightLayout {
   Rect picture;
-  Rect lower;  ///< the second picture of Stage::SideBySide, otherwise empty
+  Rect lower;  ///< the second picture of View::SideBySide, otherwise empty
   Rect below;  ///< extents, tests or curves; empty if there is nothing to show
   bool compact = false;
 };
@@ -29,10 +29,10 @@ struct SightLayout {
 
 struct Sight {
   const Exhibit& exhibit;
-  const Picture& picture;   ///< of layout's size; of Stage::DepthSort with planes
+  const Picture& picture;   ///< of layout's size; of View::DepthSort with planes
   const IndexImage& image;  ///< the picture, painted
-  const IndexImage* lower;  ///< the second picture of Stage::SideBySide
-  const SortedScene* run;   ///< textbookRun(), for Stage::DepthSort
+  const IndexImage* lower;  ///< the second picture of View::SideBySide
+  const SortedScene* run;   ///< textbookRun(), for View::DepthSort
   int step = 1;             ///< the step of the run, from 1
   const CellPlan& plan;
   const Palette& palette;  ///< the colours that are stored

@@ -392,7 +392,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     o.scene = carried.scene;
   }
   if (o.command == Command::View && !o.window.run.empty() && !o.gave("--view"))
-    o.viewName = "depthsort", o.window.view = WindowView::DepthSort;
+    o.view = o.window.view = View::DepthSort;
   blaming(o.carrier, [&] { checkUsage(o, rows); });
   return o;
 }

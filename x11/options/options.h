@@ -14,7 +14,6 @@
 #include "shading/scene/settings.h"
 #include "shading/trade/trade_request.h"
 #include "x11/options/window_view.h"
-#include "x11/views/shows.h"
 #include "x11/views/views.h"
 #include "x11/visual/visual.h"
 
@@ -151,10 +150,9 @@ struct Options {
   /// How wrong the picture may be; the program chooses the cheapest short cuts that stay within it.
   std::optional<AccuracyLimit> accuracy;
   bool wholeWindow = false;
-  std::string viewName = "picture";
   View view = View::Picture;  ///< draw, snapshot: which view of the picture
   WindowPlace window;         ///< where the window begins
-  Show show = Show::Shaded;   ///< what the window's picture shows
+  View show = View::Picture;  ///< what the window's picture shows
   PaletteEffects effects;     ///< for the picture and View::Colors
   bool quick = false;         ///< trace: true for the accelerated run, false for the textbook's
   std::string answers;        ///< lesson, lecture: the file that keeps the answers; "" for none

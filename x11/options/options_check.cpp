@@ -97,18 +97,18 @@ void needsWindow(const std::string& view, const Options& o) {
 }
 
 void checkView(const Options& o) {
-  if (const auto& few = o.window.controls; few && o.window.view != WindowView::Picture &&
-                                           (o.window.view != WindowView::DepthSort || !few->empty()))
+  if (const auto& few = o.window.controls;
+      few && o.window.view != View::Picture && (o.window.view != View::DepthSort || !few->empty()))
     throw UsageError{"--controls names controls of view 1; none puts those of view 1 or 2 away"};
   if (o.window.controls && o.wholeWindow) needsWindow("--controls", o);
-  if (o.viewName == "picture") return;
-  const std::string view = "--view " + o.viewName;
+  if (o.view == View::Picture) return;
+  const ViewRow& row = rowOf(o.view);
+  const std::string view = "--view " + std::string{row.name};
   const bool window = o.command == Command::View || o.wholeWindow;
   if (window) return needsWindow(view, o);
-  if (o.view == View::Picture)
+  if (!row.hasSheet())
     throw UsageError{view + " is a view of the window: use view, or snapshot --whole-window"};
-  const ViewRow& row = rowOf(o.view);
-  needsSize(view, o.size.value_or(kPictureSize), {row.leastWidth, row.leastHeight});
+  needsSize(view, o.size.value_or(kPictureSize), row.least);
   if (o.stats || !o.ids.empty())
     throw UsageError{view +
                      " is not just the picture: --stats, --errors and --ids work only with --view picture"};
@@ -204,7 +204,7 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
         clash.both.empty() ? std::string{clash.a} + " and " + std::string{clash.b} : std::string{clash.both});
   if (const CommandRow& row = rowOf(o.command); row.is(kPages)) needsWindow("a " + std::string{row.name}, o);
   if (o.command == Command::Trace && o.wholeWindow) needsWindow("the stepper", o);
-  if (o.window.polygon && !o.window.scanline && o.viewName == "machbands")
+  if (o.window.polygon && !o.window.scanline && o.view == View::MachBands)
     throw UsageError{"--scanline: '" + *o.window.polygon + "' is not a whole number from 0 to " +
                      std::to_string(kMaxPicture - 1)};
 }
@@ -226,7 +226,8 @@ void checkMethods(const Options& o) {
     throw UsageError{"--fill x11 needs a server: use snapshot"};
   exclude(o.accuracy.has_value(), serverFills, "--accuracy and --fill x11");
   if (serverFills && o.view != View::Picture && !o.wholeWindow && o.command != Command::View)
-    throw UsageError{"--view " + o.viewName + " uses the scanline filler: leave out --fill x11"};
+    throw UsageError{"--view " + std::string{rowOf(o.view).name} +
+                     " uses the scanline filler: leave out --fill x11"};
   if (o.command == Command::Trace && o.picture.order != Order::Newell)
     throw UsageError{"trace follows the depth sort: it allows only --order newell"};
   if (o.command == Command::Figure) checkFigureMethods(o);

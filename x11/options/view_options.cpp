@@ -22,28 +22,25 @@ std::string parseControls(const std::string& text) {
   return text;
 }
 
-bool isView(std::string_view name) { return std::ranges::find(kViews, name, &ViewRow::name) != kViews.end(); }
-
 /// The names of all views of draw, snapshot and the window, each once.
 std::string viewNames() {
   std::string all;
-  for (const ViewRow& row : kViews) all += (all.empty() ? "" : ", ") + std::string{row.name};
+  for (const ViewRow& row : kViews)
+    if (row.hasSheet()) all += (all.empty() ? "" : ", ") + std::string{row.name};
   all += "; in a window";
-  for (const WindowViewRow& row : kWindowViews)
-    if (!isView(row.option)) all += (all.ends_with("window") ? " " : ", ") + std::string{row.option};
+  for (const ViewRow& row : kWindowViews)
+    if (!row.hasSheet()) all += (all.ends_with("window") ? " " : ", ") + std::string{row.name};
   return all;
 }
 
 /// Returns false if no view has that name. checkTogether() checks later whether the command has this view.
 bool takeView(Options& o, const std::string& name) {
-  o.viewName = name;
   const auto* const view = std::ranges::find(kViews, name, &ViewRow::name);
-  const auto* const window = std::ranges::find(kWindowViews, name, &WindowViewRow::option);
-  const auto* const show = std::ranges::find(kShows, name, &ShowRow::name);
-  o.view = view == kViews.end() ? View::Picture : view->id;
-  o.window.view = window == kWindowViews.end() ? WindowView::Picture : window->id;
-  o.show = show == kShows.end() ? Show::Shaded : show->id;
-  return view != kViews.end() || window != kWindowViews.end();
+  if (view == kViews.end()) return false;
+  o.view = view->id;
+  o.window.view = view->key ? view->id : View::Picture;
+  o.show = view->key ? View::Picture : view->id;
+  return true;
 }
 
 /// A row, or a polygon. checkPlaces() knows which of them the command has.
@@ -62,12 +59,12 @@ void takeScanline(Options& o, const std::string& text) {
 }  // namespace
 
 void addView(Reader& r, Options& o) {
-  OptionRow& view = r.text("--view", "what to show: " + viewNames(), o.viewName, [&](const std::string& s) {
-    if (!takeView(o, s)) refuse("--view", s, viewNames());
-  });
-  view.proposes(kViews).only({"view", "draw", "snapshot"});
-  for (const WindowViewRow& row : kWindowViews)
-    if (!isView(row.option)) view.words.emplace_back(row.option);
+  r.text("--view", "what to show: " + viewNames(), std::string{rowOf(o.view).name},
+         [&](const std::string& s) {
+           if (!takeView(o, s)) refuse("--view", s, viewNames());
+         })
+      .proposes(kViews)
+      .only({"view", "draw", "snapshot"});
   r.number("--step", o.window.step, 0, 1'000'000'000,
            "the step of the depth sort, or the stage of --view viewing, that the window begins with; lesson: "
            "the lesson's step, from 1")

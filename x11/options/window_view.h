@@ -1,52 +1,20 @@
 #pragma once
 
-#include <array>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "shading/scene/settings.h"
 #include "x11/views/difference.h"
+#include "x11/views/view_table.h"
 
 namespace xnewell {
 
-/// The views of the window. Each has a tab and a key.
-enum class WindowView {
-  Picture,
-  DepthSort,
-  Colors,
-  MachBands,
-  SideBySide,
-  Trade,
-  Lesson,
-  Pixel,
-  Viewing,
-  Scanline
-};
-struct WindowViewRow {
-  WindowView id;
-  char key;
-  std::string_view name, option;  ///< the words on the tab, and the value of --view
-};
-inline constexpr std::array kWindowViews{
-    WindowViewRow{WindowView::Picture, '1', "Picture", "picture"},
-    WindowViewRow{WindowView::DepthSort, '2', "Depth sort", "depthsort"},
-    WindowViewRow{WindowView::Colors, '3', "Colours", "colours"},
-    WindowViewRow{WindowView::MachBands, '4', "Mach bands", "machbands"},
-    WindowViewRow{WindowView::SideBySide, '5', "Side by side", "sidebyside"},
-    WindowViewRow{WindowView::Trade, '6', "Trade", "trade"},
-    WindowViewRow{WindowView::Lesson, '7', "Lesson", "lesson"},
-    WindowViewRow{WindowView::Pixel, '8', "One pixel", "pixel"},
-    WindowViewRow{WindowView::Viewing, '9', "Viewing", "viewing"},
-    WindowViewRow{WindowView::Scanline, '0', "Scanline", "scanline"},
-};
-
 /// Where a view begins, beside its scene and the set-up.
 struct WindowPlace {
-  WindowView view = WindowView::Picture;
+  View view = View::Picture;
   int step = 0;          ///< of the depth sort, or of the polygon that is filled; of view 9 the stage, from 1
   std::string run = {};  ///< of view 2, and of judge: the file with the run of another program; "" for none
   std::optional<int> scanline = {};         ///< of the view of Mach bands

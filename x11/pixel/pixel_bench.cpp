@@ -177,7 +177,7 @@ KeyTable PixelBench::ownKeys() {
       host_.tell("Kept: I " + kept_->I + ", cell " + std::to_string(kept_->cell) + ". k forgets it.");
   });
   add(NamedKey::Return, "the stepper", "step through the depth sort",
-      [this] { host_.switchTo(WindowView::DepthSort); });
+      [this] { host_.switchTo(View::DepthSort); });
   add(NamedKey::Escape, "", "show what predict hides; give the arrows back to the pixel", [this] {
     quiz_.showAll();
     list_.setFocus(std::nullopt);

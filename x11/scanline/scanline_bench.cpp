@@ -117,7 +117,7 @@ KeyTable ScanlineBench::ownKeys() {
   appendSpeedKeys(table, view_.speed);
   add(kCodeKey, "", kCodeDoes, "", [this] { view_.code = !view_.code; });
   add('8', "this pixel", "explain this pixel in view 8", "", [this] {
-    if (!run_ || view_.step == 0) return host_.switchTo(WindowView::Pixel);
+    if (!run_ || view_.step == 0) return host_.switchTo(View::Pixel);
     const ScanSample& sample = run_->samples()[static_cast<std::size_t>(view_.step - 1)];
     const PictureSettings& settings = picture_->settings();
     host_.tell("View 8 has a picture of another size: this pixel shows the same place.");

@@ -42,7 +42,7 @@ Setup withChanges(Setup setup, const Configuration& chosen) {
 Setup measuredPart(Setup setup) {
   setup.picture = withoutColors(setup.picture);
   setup.fill = Fill::Scanline;
-  setup.show = Show::Shaded;
+  setup.show = View::Picture;
   return setup;
 }
 
@@ -135,7 +135,7 @@ void TradeBench::useChosen() {
 }
 
 void TradeBench::compareChosen() {
-  if (chosen_ < 0) return host_.switchTo(WindowView::SideBySide);
+  if (chosen_ < 0) return host_.switchTo(View::SideBySide);
   const Configuration& chosen = known_.trade.combinations[chosen_].configuration;
   const std::string name = chosen.changes.empty() ? "the set-up" : chosen.name();
   useChosen();

@@ -34,7 +34,7 @@ struct BandsPlaces {
     pictureHeight =
         std::clamp(static_cast<int>(std::lround(double(plotWidth) * height / width)), 1, kMaxPicture);
     const int room = height - 2 * Sheet::kMargin - kAfter;
-    const int shown = std::min(pictureHeight, room / 3 + (height - rowOf(View::MachBands).leastHeight) / 8);
+    const int shown = std::min(pictureHeight, room / 3 + (height - rowOf(View::MachBands).least.y) / 8);
     picture = {left, top, plotWidth, shown};
     firstBlock = top + shown + kAfter;
     block = (room - shown) / static_cast<int>(kProfiled.size());

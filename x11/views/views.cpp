@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
+#include "shading/figure/make_figure.h"
+#include "x11/drawing/painter.h"
 #include "x11/views/colors_page.h"
 #include "x11/views/difference.h"
 #include "x11/views/exactness_view.h"
@@ -17,8 +20,21 @@ namespace xnewell {
 
 namespace {
 
+constexpr int kLegend = 8;  // pixels from the upper left corner
+
+/// The cell that looks most like a colour.
+std::uint8_t nearestCell(const FigureColor& color, const Palette& palette) {
+  const auto away = [&](const Rgb16& c) {
+    const FigureColor held = figureColorOf(c);
+    int sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += (held[k] - color[k]) * (held[k] - color[k]);
+    return sum;
+  };
+  return static_cast<std::uint8_t>(std::ranges::min_element(palette, {}, away) - palette.begin());
+}
+
 /// The height of the legend above the table of a sheet; the terms have theirs in the picture.
-int legendOf(View view) { return view == View::Overdraw ? 36 : termOf(view) ? 0 : 22; }
+int legendOf(View view) { return view == View::Overdraw ? 36 : rowOf(view).term ? 0 : 22; }
 int stripOf(View view) { return Sheet::kSection + legendOf(view) + 5 * Sheet::kRow; }
 
 /// What the view asks its picture for.
@@ -38,7 +54,7 @@ PictureSettings pictureFor(const Scene& scene, const ViewSettings& settings) {
 }
 
 ColoredImage drawLens(const Picture& picture, const ViewSettings& settings) {
-  const bool own = hasOwnColors(settings.view);
+  const bool own = rowOf(settings.view).hasOwnColors();
   const Lens lens = lensOf(settings.view, picture, settings.cells,
                            own ? settings.unneeded : picture.palette(settings.cells, settings.unneeded));
   PictureSheet page{settings, stripOf(settings.view)};
@@ -70,15 +86,16 @@ Lens lensOf(View view, const Picture& picture, const CellPlan& plan, const Palet
     case View::Wireframe:
       return wireframeLens(picture, plan, palette);
     default:
-      return termLens(picture, plan, palette, *termOf(view), unit);
+      return termLens(picture, plan, palette, *rowOf(view).term, unit);
   }
 }
 
 ColoredImage drawView(PictureCache& pictures, const ViewSettings& settings) {
-  assert(settings.view != View::Picture && settings.picture.width >= rowOf(settings.view).leastWidth &&
-         settings.picture.height >= rowOf(settings.view).leastHeight);
+  assert(settings.view != View::Picture && rowOf(settings.view).hasSheet() &&
+         settings.picture.width >= rowOf(settings.view).least.x &&
+         settings.picture.height >= rowOf(settings.view).least.y);
   std::optional<std::uint8_t> ground = settings.cells[Cell::Well];
-  if (hasOwnColors(settings.view)) ground.reset();  // it shows no cell of the picture's
+  if (rowOf(settings.view).hasOwnColors()) ground.reset();  // it shows no cell of the picture's
   const Picture picture = pictures.make(pictureFor(pictures.scene(), settings), ground);
   switch (settings.view) {
     case View::Colors:
@@ -92,6 +109,46 @@ ColoredImage drawView(PictureCache& pictures, const ViewSettings& settings) {
     default:
       return drawLens(picture, settings);
   }
+}
+
+IndexImage withMarks(const Picture& picture, const Palette& palette) {
+  IndexImage image = picture.image();
+  const VectorFigure marks = marksOf(picture);
+  const auto pixels = [](int steps) { return static_cast<int>(std::floor(steps / double{kFigureSteps})); };
+  for (const FigureStroke& stroke : marks.strokes)
+    for (const FigureLoop& line : stroke.lines)
+      for (std::size_t k = 1; k < line.size(); ++k)
+        Painter{image}.line(pixels(line[k - 1].x), pixels(line[k - 1].y), pixels(line[k].x),
+                            pixels(line[k].y), nearestCell(stroke.color, palette),
+                            {.thickness = std::max(1, pixels(stroke.width + kFigureSteps / 2)),
+                             .on = kDash,
+                             .off = stroke.dashed ? kDashPeriod - kDash : 0});
+  for (const FigureText& text : marks.texts) {
+    const int unit = std::max(1, pixels(text.size + 6 * kFigureSteps) / 12);  // letters have whole units
+    Painter{image, unit}.text(pixels(text.at.x) / unit, pixels(text.at.y) / unit, text.text,
+                              nearestCell(text.color, palette));
+  }
+  return image;
+}
+
+ShownPicture shownAs(View view, const Picture& picture, const Palette& palette, const CellPlan& plan,
+                     LastTruth& truth, int unit) {
+  if (view == View::Picture) return {withMarks(picture, palette), palette, ""};
+  if (view == View::Normals) {
+    const ColoredImage normals = normalsImage(picture, plan, palette, unit);
+    return {normals.image, normals.palette, "Red: N to the right. Green: up. Blue: towards the viewer."};
+  }
+  if (view == View::Difference) {
+    const Difference difference = comparedWithReference(picture, truth.of(picture)).difference;
+    ShownPicture shown{stepsImage(difference, plan), palette, findingOf(difference).bold};
+    drawStepLegend({shown.image, unit}, plan, kLegend, kLegend, kDoublingSteps, rowOf(difference.kind).times);
+    return shown;
+  }
+  Lens lens = lensOf(view, picture, plan, palette, unit);
+  const Painter painter{lens.shown.image, unit};
+  if (lens.marks) lens.marks(painter, 0, 0);
+  if (!lens.steps.empty()) drawStepLegend(painter, plan, kLegend, kLegend, lens.steps, "");
+  return {std::move(lens.shown.image), lens.shown.palette, std::move(lens.finding.bold)};
 }
 
 }  // namespace xnewell

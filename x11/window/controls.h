@@ -5,7 +5,7 @@
 #include "shading/picture/picture.h"
 #include "shading/scene/settings.h"
 #include "x11/options/options.h"
-#include "x11/views/shows.h"
+#include "x11/views/views.h"
 
 namespace xnewell {
 
@@ -15,8 +15,8 @@ namespace xnewell {
 struct Setup {
   PictureSettings picture;
   Fill fill = Fill::Scanline;
-  int divisions = 0;         ///< of the patches; 0: as the scene was read
-  Show show = Show::Shaded;  ///< what the view of the picture shows
+  int divisions = 0;          ///< of the patches; 0: as the scene was read
+  View show = View::Picture;  ///< what the view of the picture shows
   bool operator==(const Setup&) const = default;
 };
 

@@ -20,7 +20,7 @@ class Host : public Prompt {
   /// there before the first open().
   virtual void open(Scene scene, const Setup& setup) = 0;
   virtual void close() = 0;
-  virtual void switchTo(WindowView view) = 0;
+  virtual void switchTo(View view) = 0;
   /// Shows in view 8 why a pixel of the picture has its colour: the one at this share of the picture's width
   /// and height, each in [0, 1).
   virtual void explain(double x, double y) = 0;

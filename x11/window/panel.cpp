@@ -17,16 +17,16 @@ std::string noRoom(const Layout& at) {
 }
 
 struct Tab {
-  WindowViewRow view;
+  ViewRow view;
   Rect place;
 };
 std::vector<Tab> tabsOf(const Layout& at) {
   std::vector<Tab> tabs;
   const int letter = at.compact ? 0 : 9;  // a narrow window has less space beside the names
   int x = 6;
-  for (const WindowViewRow& row : kWindowViews) {
+  for (const ViewRow& row : kWindowViews) {
     tabs.push_back({row,
-                    {x, at.low ? 2 : 5, 27 + (at.briefTabs ? 0 : letter + textWidth(row.name)),
+                    {x, at.low ? 2 : 5, 27 + (at.briefTabs ? 0 : letter + textWidth(row.title)),
                      at.views.height - (at.low ? 1 : 4)}});
     x += tabs.back().place.width + (at.compact ? 0 : 4);
   }
@@ -55,7 +55,7 @@ void drawTabs(Pen& pen, const Layout& at, const PanelState& state) {
     }
     pen.soft(tab.x + 9, baseline, std::string_view{&view.key, 1});
     if (!at.briefTabs)
-      pen.paint.text(tab.x + 24 - (at.compact ? 4 : 0), baseline, view.name,
+      pen.paint.text(tab.x + 24 - (at.compact ? 4 : 0), baseline, view.title,
                      pen(shown ? Cell::Ink : Cell::Soft), shown ? Voice::Bold : Voice::Plain);
     end = tab.x + tab.width + 4;
   }
@@ -64,9 +64,7 @@ void drawTabs(Pen& pen, const Layout& at, const PanelState& state) {
   constexpr std::string_view kDot = " \u00B7 ";
   // A long path keeps its end, which distinguishes files; other names keep their first parts.
   const bool isPath = state.title.find('/') != std::string::npos;
-  std::string title =
-      (at.briefTabs ? std::string{kWindowViews[static_cast<std::size_t>(state.view)].name} + ": " : "") +
-      state.title;
+  std::string title = (at.briefTabs ? std::string{rowOf(state.view).title} + ": " : "") + state.title;
   while (!isPath && textWidth(title) > room && title.find(kDot) != std::string::npos)
     title.erase(title.rfind(kDot));
   pen.softRight(at.width - kMargin, baseline, isPath ? endOf(title, room) : beginningOf(title, room));
@@ -192,7 +190,7 @@ bool hasRoomForTitle(const Layout& at, std::string_view title) {
   return textWidth(title) <= at.width - 2 * kMargin - (last.x + last.width + 4);
 }
 
-std::optional<WindowView> tabAt(const Layout& at, int x, int y) {
+std::optional<View> tabAt(const Layout& at, int x, int y) {
   if (!at.roomy) return std::nullopt;
   for (const auto& [view, tab] : tabsOf(at))
     if (tab.has(x, y)) return view.id;

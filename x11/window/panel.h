@@ -20,7 +20,7 @@ namespace xnewell {
 struct PanelState {
   std::string title;   ///< "teapot, 8 x 8 divisions"
   std::string visual;  ///< "PseudoColor 8, private map, 256 of 256 cells"
-  WindowView view = WindowView::Picture;
+  View view = View::Picture;
   SceneCellWords words;
   CellUse use;
   std::optional<int> inspected = {};  ///< the cell that the strip marks
@@ -35,7 +35,7 @@ struct PanelState {
 /// True if the whole title has room beside the tabs.
 [[nodiscard]] bool hasRoomForTitle(const Layout& layout, std::string_view title);
 /// The tab under the pointer.
-[[nodiscard]] std::optional<WindowView> tabAt(const Layout& layout, int x, int y);
+[[nodiscard]] std::optional<View> tabAt(const Layout& layout, int x, int y);
 
 /// Draws the bands of a window that has room for them, and what lies over the view: the list of keys, or the
 /// note that the window is too small. What it draws does not depend on the table's hue or bits, so a new hue

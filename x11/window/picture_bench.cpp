@@ -106,7 +106,7 @@ std::vector<std::string> rowsOf(const std::vector<Light>& lights) {
 
 /// Words for the colours that the picture of normals or of a term has of its own. They are in the cells from
 /// `first` on.
-SceneCellWords wordsOfOwnColors(Show show, const CellUse& use, int first) {
+SceneCellWords wordsOfOwnColors(View show, const CellUse& use, int first) {
   int last = first + kMaxShades - 1;
   while (last > first && use.samples[last] == 0) --last;
   if (rowOf(show).term)
@@ -193,14 +193,14 @@ KeyTable PictureBench::ownKeys() {
 
 void PictureBench::draw(Painter paint, const Desk& desk) {
   at_ = desk.layout;
-  const Show show = at_.roomy ? desk.setup.show : Show::Shaded;
+  const View show = at_.roomy ? desk.setup.show : View::Picture;
   if (desk.fresh || show != shownAs_) {
     shown_ = xnewell::shownAs(show, desk.picture, desk.palette, desk.plan, truth_, at_.unit);
     shownAs_ = show;
   }
   use_ = cellUse(shown_.image);
   colors_ = {shown_.palette, {}};
-  if (rowOf(show).ownColors && desk.picture.colors().plan() != ColorPlan::Cube)
+  if (rowOf(show).hasOwnColors() && desk.picture.colors().plan() != ColorPlan::Cube)
     colors_.words = wordsOfOwnColors(show, use_, desk.picture.colors().table().first());
   paint.place(shown_.image, at_.picture.x, at_.picture.y);
   counts_ = countsOf(desk.picture);
@@ -266,7 +266,8 @@ void PictureBench::drawColumn(Painter paint, const Desk& desk) {
   }
   const Subject subject = subject_();
   const Illumination& light = desk.setup.picture.light;
-  const bool ramp = !rowOf(desk.setup.show).ownColors && desk.picture.colors().plan() == ColorPlan::OneHue;
+  const bool ramp =
+      !rowOf(desk.setup.show).hasOwnColors() && desk.picture.colors().plan() == ColorPlan::OneHue;
   toView_ = vrcRotation(desk.picture.camera().view);
   const SceneLight& own = desk.picture.scene().light;
   const InForce inForce{light, own};

@@ -12,7 +12,7 @@
 #include "shading/color/palette.h"
 #include "x11/drawing/rect.h"
 #include "x11/kit/control_list.h"
-#include "x11/views/shows.h"
+#include "x11/views/views.h"
 #include "x11/window/bench.h"
 #include "x11/window/controls.h"
 #include "x11/window/drawer.h"
@@ -99,9 +99,9 @@ class PictureBench : public Bench {
   void draw(Painter paint, const Desk& desk) override;
   /// The picture of normals has colours of its own.
   [[nodiscard]] const OwnColors* colors() const override {
-    return rowOf(shownAs_).ownColors ? &colors_ : nullptr;
+    return rowOf(shownAs_).hasOwnColors() ? &colors_ : nullptr;
   }
-  [[nodiscard]] const CellUse* use() const override { return shownAs_ == Show::Shaded ? nullptr : &use_; }
+  [[nodiscard]] const CellUse* use() const override { return shownAs_ == View::Picture ? nullptr : &use_; }
   [[nodiscard]] std::string status() const override { return counts_; }
   [[nodiscard]] std::string aside() const override { return aside_; }
 
@@ -119,7 +119,7 @@ class PictureBench : public Bench {
   Layout at_;
   ControlColumn column_;
   glm::dmat3 toView_{1};  ///< from world coordinates to right, up, towards the viewer
-  Show shownAs_ = Show::Shaded;
+  View shownAs_ = View::Picture;
   ShownPicture shown_;
   LastTruth truth_;
   OwnColors colors_;

@@ -70,23 +70,30 @@ Control controlOf(const Setting& setting, const Setup& shown, const Setup& defau
 
 /// The terms of the equation share one option, the last; each choice of it goes on to the next term.
 Control showControl(const Setup& shown, ChangeSetup change) {
-  static const auto terms = static_cast<std::size_t>(
-      std::ranges::find_if(kShows, [](const ShowRow& show) { return show.term.has_value(); }) -
-      kShows.begin());
-  const auto goesOn = [](const Setup& s) { return rowOf(s.show).term && s.show != kShows.back().id; };
+  static const auto* const firstTerm = std::ranges::find(kViews, Term::Ambient, &ViewRow::term);
+  static const std::ptrdiff_t terms = firstTerm - kViews.begin() - std::ssize(kWindowViews) + 1;
+  const auto goesOn = [](const Setup& s) { return rowOf(s.show).term && s.show != kViews.back().id; };
+  const auto optionOf = [](View show) {
+    if (show == View::Picture) return std::ptrdiff_t{0};
+    return std::min(terms, static_cast<std::ptrdiff_t>(show) - std::ssize(kWindowViews) + 1);
+  };
   Control control{.kind = Kind::Choice,
                   .key = 'W',
                   .label = "show",
                   .is = "what the picture shows",
-                  .value = static_cast<double>(std::min(static_cast<std::size_t>(shown.show), terms)),
+                  .value = static_cast<double>(optionOf(shown.show)),
                   .set = [goesOn, change = std::move(change)](double option) {
                     change('W', [&](Setup& s) {
                       const auto k = static_cast<std::size_t>(option);
-                      s.show = kShows[k == terms && goesOn(s) ? static_cast<std::size_t>(s.show) + 1 : k].id;
+                      if (k == static_cast<std::size_t>(terms) && goesOn(s))
+                        s.show = static_cast<View>(static_cast<int>(s.show) + 1);
+                      else
+                        s.show = k == 0 ? View::Picture : kInsteadOfPicture[k - 1].id;
                     });
                   }};
   if (goesOn(shown)) control.next = static_cast<double>(terms);
-  for (std::size_t k = 0; k < terms; ++k) control.options.emplace_back(kShows[k].label);
+  control.options.emplace_back("shaded");
+  for (std::ptrdiff_t k = 1; k < terms; ++k) control.options.emplace_back(kInsteadOfPicture[k - 1].title);
   control.options.emplace_back("term");
   return control;
 }

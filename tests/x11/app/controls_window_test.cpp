@@ -11,7 +11,7 @@ namespace xnewell::THIS_FILE {
 namespace {
 
 /// Times differ between two windows: sides_test.cpp and trade_bench_test.cpp look at these views.
-bool showsTimes(WindowView view) { return view == WindowView::SideBySide || view == WindowView::Trade; }
+bool showsTimes(View view) { return view == View::SideBySide || view == View::Trade; }
 
 /// Uses the corrected table, so that no slider is off.
 const std::string kCorrected = "teapot --divisions 3 --table corrected";
@@ -83,8 +83,8 @@ TEST(ControlsWindow, AllAnswerAtScaleTwo) {
 TEST(ControlsWindow, OtherViewsAnswerAtScaleThree) {
   TwinWindow twin{24, kCorrected, "teapot", corrected(), 3};
   int pressed = 0;
-  for (const WindowViewRow& row : kWindowViews) {
-    if (row.id == WindowView::Picture) continue;
+  for (const ViewRow& row : kWindowViews) {
+    if (row.id == View::Picture) continue;
     SCOPED_TRACE(row.name);
     twin.type({&row.key, 1});
     ASSERT_TRUE(twin.agrees());
@@ -112,7 +112,7 @@ TEST(ControlsWindow, OtherViewsAnswerAtScaleThree) {
 
 // Every view is drawn again at each size, and responds to a drag there.
 TEST_P(ControlsWindowAt, EveryViewAtEverySize) {
-  for (const WindowViewRow& row : kWindowViews) {
+  for (const ViewRow& row : kWindowViews) {
     if (showsTimes(row.id)) continue;
     SCOPED_TRACE(row.name);
     twin.type({&row.key, 1});
@@ -140,18 +140,18 @@ TEST_P(ControlsWindowAt, EveryKeyInEveryView) {
                               std::pair{XK_Home, NamedKey::Home},    std::pair{XK_End, NamedKey::End},
                               std::pair{XK_Tab, NamedKey::Tab},      std::pair{XK_Prior, NamedKey::PageUp},
                               std::pair{XK_Next, NamedKey::PageDown}};
-  for (const WindowViewRow& row : kWindowViews) {
+  for (const ViewRow& row : kWindowViews) {
     if (showsTimes(row.id)) continue;
     SCOPED_TRACE(row.name);
     twin.type({&row.key, 1});
     ASSERT_TRUE(twin.agrees());
     int k = 0;
     for (const char letter : kLetters) {
-      if (row.id == WindowView::Colors && letter == 'm') continue;  // starts colours that move by themselves
-      if (row.id == WindowView::Colors && letter == 'h') continue;  // acts only while it is held
+      if (row.id == View::Colors && letter == 'm') continue;  // starts colours that move by themselves
+      if (row.id == View::Colors && letter == 'h') continue;  // acts only while it is held
       twin.type({&letter, 1});
       twin.press(XK_Escape, NamedKey::Escape);
-      if (row.id == WindowView::Lesson) twin.type("7");
+      if (row.id == View::Lesson) twin.type("7");
       // A key that follows a change of the set-up acts on what has been drawn by then.
       if (++k % 4 == 0 || std::string_view{"uUrD"}.find(letter) != std::string_view::npos) {
         ASSERT_TRUE(twin.agrees()) << letter;

@@ -76,19 +76,19 @@ TEST(CountedSize, IsNamedByViews) {
 
 TEST(CountedSize, IsNamedByTheWindow) {
   for (const int unit : someOf({2, 1, 3}, 1))
-    for (const WindowView view : {WindowView::SideBySide, WindowView::Picture}) {
-      SCOPED_TRACE(std::to_string(unit) + (view == WindowView::Picture ? " picture" : " side by side"));
+    for (const View view : {View::SideBySide, View::Picture}) {
+      SCOPED_TRACE(std::to_string(unit) + (view == View::Picture ? " picture" : " side by side"));
       ReadyWorkbench b{xnewell::Setup{sorted()}, 1, 1};
       b.scale(unit);
       b.resize(unit * 800, unit * 540);  // the least window
       b.switchTo(view);
       b.finish();
       const Rect at =
-          view == WindowView::Picture ? b.bench().picture(b.layout()) : layoutOfSides(b.layout().body).A;
+          view == View::Picture ? b.bench().picture(b.layout()) : layoutOfSides(b.layout().body).A;
       PictureSettings settings = b.setup().picture;
       settings.width = unit * at.width, settings.height = unit * at.height;
       const Count count = countIn(readScene("teapot", 3), settings);
-      if (view == WindowView::Picture)
+      if (view == View::Picture)
         EXPECT_EQ(findText(b.image(),
                            "A wrong face at " + grouped(count.wrong) + " of " + grouped(count.shown) +
                                " samples of " + count.size + ".",

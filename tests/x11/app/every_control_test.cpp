@@ -76,11 +76,11 @@ TEST(EveryControl, IsHitWhereItIsDrawn) {
     ReadyWorkbench b{{}, width, height};
     b.scale(unit);
     int answered = 0;
-    for (const WindowViewRow& row : kWindowViews) {
+    for (const ViewRow& row : kWindowViews) {
       SCOPED_TRACE(row.name);
       b.switchTo(row.id);
       b.update();
-      if (row.id == WindowView::Trade) continue;  // it changes while it measures
+      if (row.id == View::Trade) continue;  // it changes while it measures
       b.finish();
       ASSERT_EQ(b.layout().unit, unit);
       answered += visit(b, unit);
@@ -97,7 +97,7 @@ TEST(EveryControl, CanBePutAway) {
     SCOPED_TRACE(testing::Message() << width << " x " << height << " at scale " << unit);
     ReadyWorkbench b{{}, width, height};
     b.scale(unit);
-    for (const WindowView view : {WindowView::Picture, WindowView::DepthSort}) {
+    for (const View view : {View::Picture, View::DepthSort}) {
       b.switchTo(view);
       b.update();
       b.finish();
@@ -122,7 +122,7 @@ TEST(EveryControl, CanBePutAway) {
     }
   }
   ReadyWorkbench b;
-  b.switchTo(WindowView::Colors);
+  b.switchTo(View::Colors);
   b.finish();
   b.type("D");  // this view has no drawer
   EXPECT_EQ(b.layout().drawer, Drawer::Whole);

@@ -26,19 +26,19 @@ struct Seen {
   IndexImage image;
   Palette palette;
   xnewell::Setup setup;
-  WindowView view;
+  View view;
   bool asking, quitting, moving;
   bool operator==(const Seen&) const = default;
 };
 
-std::string nameOf(const WindowViewRow& row) { return std::string{row.name}; }
+std::string nameOf(const ViewRow& row) { return std::string{row.name}; }
 
 }  // namespace
 
 // No view has a key twice, and every key has words in the list of all keys.
 TEST(EveryView, KeysAreUniqueAndExplained) {
   for (const char* scene : someOf({"cycle", "hues", "teapot"}, 1))
-    for (const WindowViewRow& row : kWindowViews) {
+    for (const ViewRow& row : kWindowViews) {
       SCOPED_TRACE(scene + nameOf(row));
       ReadyWorkbench b{{}, 1024, 768, scene};
       b.press(row.key);
@@ -59,7 +59,7 @@ TEST(EveryView, KeysAreUniqueAndExplained) {
 // not listed says that it does nothing.
 TEST(EveryView, EveryKeyAnswers) {
   for (const char* scene : someOf({"cycle", XNEWELL_DATA_DIR "/square.bpt"}, 1))
-    for (const WindowViewRow& row : kWindowViews) {
+    for (const ViewRow& row : kWindowViews) {
       SCOPED_TRACE(scene + nameOf(row));
       std::vector<Key> keys;
       {
@@ -94,7 +94,7 @@ TEST(EveryView, DrawsEveryMethod) {
       xnewell::Setup setup;
       setup.picture.shading = method.id, setup.picture.colors = plan;
       ReadyWorkbench b{setup, 800, 540, "cycle"};
-      for (const WindowViewRow& row : kWindowViews) {
+      for (const ViewRow& row : kWindowViews) {
         SCOPED_TRACE(nameOf(row) + ' ' + std::string{method.name});
         b.does(row.key);
         EXPECT_FALSE(b.bench().status().empty());
@@ -111,7 +111,7 @@ TEST(EveryView, TheManualListsTheKeys) {
 // No two controls that are drawn share a pixel, unless one of them lies above; and all are in the window.
 TEST(EveryView, ControlsHavePlaces) {
   for (const auto& [w, h] : someOf({std::pair{800, 540}, {800, 600}, {1920, 1080}}, 1))
-    for (const WindowViewRow& row : kWindowViews) {
+    for (const ViewRow& row : kWindowViews) {
       SCOPED_TRACE(nameOf(row) + std::to_string(w));
       ReadyWorkbench b{{}, w, h};
       b.press(row.key);
@@ -135,7 +135,7 @@ TEST(EveryView, ControlsHavePlaces) {
 TEST(EveryView, TheListOfKeysFits) {
   constexpr int kWidth = 560, kShadow = 4;
   std::vector<std::string> ways;
-  for (const WindowViewRow& row : kWindowViews) ways.emplace_back(1, row.key);
+  for (const ViewRow& row : kWindowViews) ways.emplace_back(1, row.key);
   ways.emplace_back("2Y");  // the student sorts
   for (const auto& [width, height] : someOf({std::pair{800, 540}, {800, 600}, {1024, 768}}, 1))
     for (const std::string& way : ways) {

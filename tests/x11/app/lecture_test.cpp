@@ -41,7 +41,7 @@ struct Shown : ReadyWorkbench {
 };
 
 /// The view of a window that shows one scene only.
-std::vector<std::uint8_t> alone(const std::string& scene, const Setup& setup, WindowView view) {
+std::vector<std::uint8_t> alone(const std::string& scene, const Setup& setup, View view) {
   ReadyWorkbench bench{setup, 1024, 768, scene};
   bench.switchTo(view);
   bench.finish();
@@ -63,20 +63,20 @@ TEST_F(LectureTest, PagesTurn) {
   xnewell::Setup flat;
   flat.picture.shading = Shading::Flat, flat.picture.light.ks = 0.7;
   const std::vector<std::uint8_t> first = shown.body();
-  EXPECT_EQ(first, alone("teapot", flat, WindowView::Picture));
+  EXPECT_EQ(first, alone("teapot", flat, View::Picture));
   shown.type("SJ");
   shown.finish();
   EXPECT_NE(shown.body(), first);
   shown.turn(NamedKey::PageDown);
-  EXPECT_EQ(shown.view(), WindowView::Colors);
+  EXPECT_EQ(shown.view(), View::Colors);
   EXPECT_EQ(shown.setup().picture.shading, Shading::Phong);
   shown.turn(NamedKey::PageDown);
-  EXPECT_EQ(shown.view(), WindowView::DepthSort);
+  EXPECT_EQ(shown.view(), View::DepthSort);
   const auto& stepper = dynamic_cast<const SortBench&>(shown.bench());
   EXPECT_EQ(stepper.view().step, 12);
   const std::vector<std::uint8_t> third = shown.body();
   shown.turn(NamedKey::PageDown);  // there is none
-  EXPECT_EQ(shown.view(), WindowView::DepthSort);
+  EXPECT_EQ(shown.view(), View::DepthSort);
   EXPECT_EQ(shown.body(), third);
   shown.turn(NamedKey::PageUp);
   shown.turn(NamedKey::PageUp);
@@ -91,7 +91,7 @@ TEST_F(LectureTest, PagesOpenTheViewingAndTheScanline) {
       R"({"title": "Shear", "show": "teapot --divisions 3 --view viewing --step 3 --viewing 12.2 --prp=-4,1,12"},
          {"title": "Rows", "show": "teapot --divisions 3 --view scanline --scanline 40 --step 9"})")};
   for (int times = 0; times < 2; ++times) {
-    ASSERT_EQ(shown.view(), WindowView::Viewing);
+    ASSERT_EQ(shown.view(), View::Viewing);
     const auto& viewing = dynamic_cast<const ViewingBench&>(shown.bench());
     EXPECT_EQ(viewing.stage(), 3);
     EXPECT_EQ(viewing.vertex(), "12.2");
@@ -99,7 +99,7 @@ TEST_F(LectureTest, PagesOpenTheViewingAndTheScanline) {
     shown.press(NamedKey::Right);
     shown.finish();
     shown.turn(NamedKey::PageDown);
-    ASSERT_EQ(shown.view(), WindowView::Scanline);
+    ASSERT_EQ(shown.view(), View::Scanline);
     const auto& rows = dynamic_cast<const ScanlineBench&>(shown.bench());
     EXPECT_EQ(rows.polygon(), "40");
     EXPECT_EQ(rows.view().step, 9);
@@ -118,7 +118,7 @@ TEST_F(LectureTest, EachPageBeginsAnew) {
                  {"title": "Teapot", "show": "teapot"})")};
   const int steps = static_cast<int>(shown.lessons().lesson()->steps.size());
   for (int step = 0; step < steps; ++step) shown.turn(NamedKey::PageDown);
-  ASSERT_EQ(shown.view(), WindowView::DepthSort);
+  ASSERT_EQ(shown.view(), View::DepthSort);
   EXPECT_EQ(legendOf(shown.keys()).front().does, "page");
   shown.press(NamedKey::Left);  // the run is at its start
   shown.finish();
@@ -138,11 +138,11 @@ TEST_F(LectureTest, StepsOfALessonComeFirst) {
   const auto& lesson = dynamic_cast<const LessonBench&>(shown.bench());
   const int steps = static_cast<int>(lesson.lesson()->steps.size());
   for (int step = 0; step < steps; ++step) {
-    EXPECT_EQ(shown.view(), WindowView::Lesson);
+    EXPECT_EQ(shown.view(), View::Lesson);
     EXPECT_EQ(lesson.step(), step);
     shown.turn(NamedKey::PageDown);
   }
-  EXPECT_EQ(shown.view(), WindowView::Picture);
+  EXPECT_EQ(shown.view(), View::Picture);
   EXPECT_EQ(shown.scene().name, "teapot");
   shown.turn(NamedKey::PageUp);
   EXPECT_EQ(lesson.step(), 0);
@@ -150,7 +150,7 @@ TEST_F(LectureTest, StepsOfALessonComeFirst) {
   shown.finish();
   shown.turn(NamedKey::PageDown);
   EXPECT_EQ(shown.scene().name, "teapot");
-  EXPECT_EQ(shown.view(), WindowView::Picture);
+  EXPECT_EQ(shown.view(), View::Picture);
 }
 
 // With --play the pages turn by themselves, and after the last comes the first. A key makes the page wait.
@@ -175,7 +175,7 @@ TEST_F(LectureTest, PlaysByItself) {
   EXPECT_EQ(views, "02 22 21 ");
   std::this_thread::sleep_for(310ms);
   shown.tick();
-  EXPECT_EQ(shown.view(), WindowView::Picture);
+  EXPECT_EQ(shown.view(), View::Picture);
 }
 
 // A page keeps the controls that it names in the drawer, and only these. They work there as elsewhere, and so

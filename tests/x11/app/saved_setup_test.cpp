@@ -37,7 +37,7 @@ TEST(SavedSetup, OpensAsTheSameWindow) {
   b.type("q");
   EXPECT_FALSE(b.quitAsked());  // the change has not been saved
   b.type("e");
-  EXPECT_EQ(b.view(), WindowView::Picture);
+  EXPECT_EQ(b.view(), View::Picture);
   b.press({NamedKey::Return});  // the file that it knows
   b.update();
   EXPECT_TRUE(b.complains());

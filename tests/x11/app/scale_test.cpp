@@ -14,11 +14,11 @@ constexpr int kWidth = 800, kHeight = 600;  // lower, the keys would follow the 
 
 /// A window that shows a view at a scale. In units it has the same size at all scales.
 struct Scaled : ReadyWorkbench {
-  Scaled(int unit, WindowView view, const char* lesson = "five-tests", int wider = 0)
+  Scaled(int unit, View view, const char* lesson = "five-tests", int wider = 0)
       : ReadyWorkbench{{}, 1, 1, "cycle"} {
     scale(unit);
     resize(unit * kWidth + wider, unit * kHeight + wider);
-    if (view == WindowView::Lesson)
+    if (view == View::Lesson)
       teach(readLesson(std::string{XNEWELL_DATA_DIR} + "/lessons/" + lesson + ".json"));
     switchTo(view);
     finish();
@@ -32,11 +32,11 @@ struct Scaled : ReadyWorkbench {
 /// Where samples of pictures are, in units, and what lies exactly under them.
 std::vector<Rect> picturesOf(const Workbench& b) {
   const Rect at = b.bench().picture(b.layout()), &body = b.layout().body;
-  if (b.view() == WindowView::MachBands) return {{at.x, body.y, at.width, body.height}};
-  if (b.view() == WindowView::Viewing)  // its table counts pixels
+  if (b.view() == View::MachBands) return {{at.x, body.y, at.width, body.height}};
+  if (b.view() == View::Viewing)  // its table counts pixels
     return {{at.x - 4, body.y, at.width + 8, body.height}};
-  if (b.view() == WindowView::Scanline) return {body};  // a polygon has more pixels, and so another run
-  if (b.view() != WindowView::SideBySide) return {at};
+  if (b.view() == View::Scanline) return {body};  // a polygon has more pixels, and so another run
+  if (b.view() != View::SideBySide) return {at};
   const SidesLayout sides = layoutOfSides(body);
   return {sides.A, sides.B, sides.difference, sides.numbers};  // the numbers have a loupe and times
 }
@@ -60,22 +60,22 @@ void expectGrown(const Scaled& one, const Scaled& more, int unit) {
 }  // namespace
 
 TEST(Scale, PagesGrow) {
-  for (const WindowViewRow& row : kWindowViews) {
+  for (const ViewRow& row : kWindowViews) {
     SCOPED_TRACE(row.name);
     const Scaled one{1, row.id};
     expectGrown(one, Scaled{2, row.id}, 2);
-    if (row.id == WindowView::Picture) expectGrown(one, Scaled{3, row.id}, 3);
+    if (row.id == View::Picture) expectGrown(one, Scaled{3, row.id}, 3);
   }
   for (const char* lesson : {"sorting-by-z", "colormap-tricks"}) {
     SCOPED_TRACE(lesson);
-    expectGrown({1, WindowView::Lesson, lesson}, {2, WindowView::Lesson, lesson}, 2);
+    expectGrown({1, View::Lesson, lesson}, {2, View::Lesson, lesson}, 2);
   }
 }
 
 // Controls answer where they are drawn: all have the same places in units, and the pointer at any pixel of a
 // unit does the same.
 TEST(Scale, ControlsAnswerWhereTheyAre) {
-  for (const WindowViewRow& row : kWindowViews) {
+  for (const ViewRow& row : kWindowViews) {
     SCOPED_TRACE(row.name);
     Scaled one{1, row.id}, two{2, row.id};
     const auto& places = one.bench().list().places();
@@ -88,7 +88,7 @@ TEST(Scale, ControlsAnswerWhereTheyAre) {
       EXPECT_EQ(a.track, b.track);
     }
   }
-  Scaled one{1, WindowView::Picture}, two{2, WindowView::Picture};
+  Scaled one{1, View::Picture}, two{2, View::Picture};
   const Rect phong = one.bench().list().find({'S'})->options[4];
   const Rect track = one.bench().list().find({'s'})->track;
   for (const Rect& r : {phong, track}) {
@@ -101,13 +101,13 @@ TEST(Scale, ControlsAnswerWhereTheyAre) {
   EXPECT_NE(two.setup(), two.defaults());
   two.click(2 * 300 + 1, 2 * 15);
   one.click(300, 15);
-  EXPECT_NE(two.view(), WindowView::Picture);
+  EXPECT_NE(two.view(), View::Picture);
   EXPECT_EQ(one.view(), two.view());
 }
 
 // No sample is blown up: the window shows the picture that is drawn for all pixels of its place.
 TEST(Scale, PicturesKeepTheirPixels) {
-  for (const WindowView view : {WindowView::Picture, WindowView::Colors}) {
+  for (const View view : {View::Picture, View::Colors}) {
     const Scaled b{2, view};
     const Rect at = b.bench().picture(b.layout());
     PictureSettings settings = b.setup().picture;
@@ -122,7 +122,7 @@ TEST(Scale, PicturesKeepTheirPixels) {
 
 // A click means the sample under the pointer: in the stepper it goes to the polygon there.
 TEST(Scale, AClickMeansTheSampleUnderIt) {
-  Scaled one{1, WindowView::DepthSort}, two{2, WindowView::DepthSort};
+  Scaled one{1, View::DepthSort}, two{2, View::DepthSort};
   const Rect at = one.bench().picture(one.layout());
   const int x = at.x + at.width / 2 + 30, y = at.y + at.height / 2;
   const std::string before = one.bench().status();
@@ -147,7 +147,7 @@ TEST(Scale, AnySize) {
       for (const Rect& part : b.overPicture()) EXPECT_EQ(intersection(part, {0, 0, w, h}), part);
       b.press('?');
     }
-  for (const WindowViewRow& row : kWindowViews) {
+  for (const ViewRow& row : kWindowViews) {
     const Scaled odd{3, row.id, "cycles", 1};
     EXPECT_EQ(odd.image().width, 3 * kWidth + 1);
   }

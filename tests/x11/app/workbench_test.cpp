@@ -278,32 +278,32 @@ TEST(Workbench, AnyViewsSetupIsACommand) {
   std::vector<std::string> copied;
   Workbench b{readScene("teapot", 3), {}, {.copy = [&](const std::string& text) { copied.push_back(text); }}};
   b.resize(1024, 768);
-  for (const WindowViewRow& row : kWindowViews) {
+  for (const ViewRow& row : kWindowViews) {
     SCOPED_TRACE(row.name);
     b.switchTo(row.id);
     b.update();
     b.change('S', [&](xnewell::Setup& s) { s.picture.shading = Shading::Phong; });
     b.press({NamedKey::Letter, 'C'});
     ASSERT_EQ(copied.size(), 1u);
-    const bool picture = row.id == WindowView::Picture || row.id == WindowView::Lesson;
+    const bool picture = row.id == View::Picture || row.id == View::Lesson;
     const std::string begin = picture ? "xnewell draw teapot --size "
                                       : "xnewell snapshot teapot --size 1024x768 --whole-window --view " +
-                                            std::string{row.option} + ' ';
+                                            std::string{row.name} + ' ';
     const std::size_t last = copied[0].rfind('\n') + 1;
     EXPECT_EQ(copied[0].find(begin), last) << copied[0];
     for (std::size_t at = 0; at < last; at = copied[0].find('\n', at) + 1)
       ASSERT_EQ(copied[0].substr(at, 2), "# ") << copied[0];
     const std::string_view found = [&] {
       switch (row.id) {
-        case WindowView::DepthSort:
+        case View::DepthSort:
           return "# start: nothing is painted\n";
-        case WindowView::Colors:
+        case View::Colors:
           return " stored levels distinct";
-        case WindowView::MachBands:
+        case View::MachBands:
           return "\n# Bands: ";
-        case WindowView::SideBySide:
+        case View::SideBySide:
           return "\n# cuts   ";
-        case WindowView::Pixel:
+        case View::Pixel:
           return " I = ka Ia + ";
         default:
           return "# ";
@@ -317,7 +317,7 @@ TEST(Workbench, AnyViewsSetupIsACommand) {
 
 // No key of the list of all keys runs into the words beside it.
 TEST(Workbench, TheListOfAllKeysHasRoomForThem) {
-  for (const WindowViewRow& row : kWindowViews) {
+  for (const ViewRow& row : kWindowViews) {
     ReadyWorkbench b;
     b.switchTo(row.id);
     b.finish();

@@ -144,7 +144,7 @@ TEST(WrittenPicture, HasBothSetupsOfView5) {
     std::vector<std::string> said = wordsOf(note).value();
     said.erase(said.begin());  // the program's name
     const Options options = parsed(said, readScene("cubes", 3).settings);
-    ASSERT_EQ(options.window.view, WindowView::SideBySide);
+    ASSERT_EQ(options.window.view, View::SideBySide);
     ReadyWorkbench again{{.picture = options.picture, .fill = options.fill}, 1024, 768, "cubes"};
     again.goTo(options.window);
     again.finish();

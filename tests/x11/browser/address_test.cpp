@@ -41,7 +41,7 @@ TEST(Address, IsACommandLine) {
   EXPECT_THAT(argumentsOf("a%26b%20c.obj&dither&%zz%2"), ElementsAre("a&b c.obj", "--dither", "--%zz%2"));
 
   const Options pixel = optionsOf("teapot&view=pixel&pixel=288,158&shade=phong");
-  EXPECT_EQ(pixel.window.view, WindowView::Pixel);
+  EXPECT_EQ(pixel.window.view, View::Pixel);
   EXPECT_EQ(pixel.window.pixel, (glm::ivec2{288, 158}));
   EXPECT_EQ(optionsOf("lesson&cycles&step=3").window.step, 3);
   EXPECT_THROW((void)optionsOf("teapot&view=pixels"), UsageError);

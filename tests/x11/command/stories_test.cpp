@@ -217,7 +217,7 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
     if (verb == "asks") return panel.typed ? panel.typed->asks : "";
     if (verb == "warns") return panel.typed ? panel.typed->complaint : panel.notice;
     if (verb == "view")
-      return std::string{std::ranges::find(kWindowViews, window_->view(), &WindowViewRow::id)->option};
+      return std::string{std::ranges::find(kWindowViews, window_->view(), &ViewRow::id)->name};
     if (verb == "status") return panel.status + "   " + panel.aside;
     if (verb != "setup") return {};
     window_->press('C');

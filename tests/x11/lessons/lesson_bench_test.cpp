@@ -204,7 +204,7 @@ TEST(LessonBench, LeavingClosesWhatItOpened) {
   EXPECT_GE(window.opened, 1);
   EXPECT_TRUE(window.press(NamedKey::Escape));
   EXPECT_EQ(window.closed, 1);
-  EXPECT_EQ(window.view, WindowView::Picture);
+  EXPECT_EQ(window.view, View::Picture);
   EXPECT_EQ(window.setup(), window.own);
   window.bench.enter();  // at the step that was left
   EXPECT_EQ(window.bench.lesson()->name, "specular");
@@ -358,7 +358,7 @@ TEST(LessonBench, InTheWindow) {
   const IndexImage before = window.image();
   window.press({NamedKey::Letter, '7'});
   settle();
-  EXPECT_EQ(window.view(), WindowView::Lesson);
+  EXPECT_EQ(window.view(), View::Lesson);
   window.press({NamedKey::Return});
   settle();
   EXPECT_NE(window.setup(), own);
@@ -379,14 +379,14 @@ TEST(LessonBench, InTheWindow) {
   const std::string ofLesson = window.picture().scene().name;
   window.press({NamedKey::Letter, '2'});
   settle();
-  EXPECT_EQ(window.view(), WindowView::DepthSort);
+  EXPECT_EQ(window.view(), View::DepthSort);
   EXPECT_EQ(window.picture().scene().name, ofLesson);
   window.press({NamedKey::Escape});
   settle();
-  EXPECT_EQ(window.view(), WindowView::Lesson);
+  EXPECT_EQ(window.view(), View::Lesson);
   window.press({NamedKey::Escape});
   settle();
-  EXPECT_EQ(window.view(), WindowView::Picture);
+  EXPECT_EQ(window.view(), View::Picture);
   EXPECT_EQ(window.setup(), own);
   EXPECT_EQ(window.picture().scene().name, "teapot");
   // All of the window but the times in the status line.

@@ -30,7 +30,7 @@ struct Shown {
     PictureSettings settings = exhibit.settings;
     settings.width = sight.picture.width, settings.height = sight.picture.height;
     picture = makePicture(*exhibit.scene, settings, 8);
-    if (exhibit.stage != Stage::SideBySide) return;
+    if (exhibit.stage != View::SideBySide) return;
     settings = exhibit.beside;
     settings.width = sight.lower.width, settings.height = sight.lower.height;
     lower = makePicture(*exhibit.scene, settings, 8);
@@ -79,7 +79,7 @@ TEST(LessonClaims, Hold) {
 TEST(LessonClaims, EventsAreThere) {
   int events = 0;
   forEachExhibit([&](const std::string& place, const Exhibit& exhibit) {
-    if (exhibit.stage != Stage::DepthSort) return;
+    if (exhibit.stage != View::DepthSort) return;
     for (const glm::ivec2 size : someOf(kSizes, 1)) {
       SCOPED_TRACE(place + ", at " + std::to_string(size.x));
       Shown shown{exhibit, size};

@@ -77,9 +77,9 @@ TEST(LessonFile, WordsAreInTheHouseStyle) {
 }
 
 TEST(LessonFile, EveryKeyOfAnExhibitWorks) {
-  EXPECT_EQ(exhibitOf("").stage, Stage::Picture);
-  for (const StageRow& row : kStages)
-    if (row.id != Stage::SideBySide) {
+  EXPECT_EQ(exhibitOf("").stage, View::Picture);
+  for (const StageRow& row : stageRows())
+    if (row.id != View::SideBySide) {
       EXPECT_EQ(exhibitOf("\"window\": \"" + std::string{row.name} + "\"").stage, row.id);
     }
   EXPECT_EQ(exhibitOf(R"("shading": {"method": "phong", "n": 7})").settings.light.n, 7);

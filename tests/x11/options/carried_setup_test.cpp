@@ -75,7 +75,7 @@ TEST(CarriedSetup, EachCommandTakesWhatItCanUse) {
   const Options shown = parsed({drawn});
   EXPECT_EQ(shown.command, Command::View);
   EXPECT_EQ(shown.size, std::nullopt);
-  EXPECT_EQ(shown.window.view, WindowView::Colors);
+  EXPECT_EQ(shown.window.view, View::Colors);
   EXPECT_EQ(shown.window.cell, std::nullopt);
   EXPECT_EQ(shown.picture.order, Order::ZMean);
   const Options again = parsed({"snapshot", drawn, "-o", "no.png"});
@@ -90,7 +90,7 @@ TEST(CarriedSetup, EachCommandTakesWhatItCanUse) {
   const Options opened = parsed({window});
   EXPECT_EQ(opened.size, (glm::ivec2{1700, 1300}));
   EXPECT_EQ(opened.scale, 2);
-  EXPECT_EQ(opened.window.view, WindowView::DepthSort);
+  EXPECT_EQ(opened.window.view, View::DepthSort);
   EXPECT_EQ(opened.window.step, 40);
   EXPECT_EQ(opened.window.controls, "");
   EXPECT_EQ(parsed({window, "--view", "colours"}).window.step, 0);

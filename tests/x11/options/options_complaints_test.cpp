@@ -82,12 +82,12 @@ TEST(Options, TheServerFillsNoSamples) {
 // A view refuses options that do not apply to it, and a size too small for its words.
 TEST(Options, RefuseWhatAViewCannotHeed) {
   for (const ViewRow& row : kViews) {
-    if (row.id == View::Picture) continue;
+    if (row.id == View::Picture || !row.hasSheet()) continue;
     const std::string name{row.name}, view = "--view " + name;
-    const std::string width = std::to_string(row.leastWidth), height = std::to_string(row.leastHeight);
+    const std::string width = std::to_string(row.least.x), height = std::to_string(row.least.y);
     EXPECT_EQ(complaint({"--view", name, "--size", width + "x" + height}), "");
     for (const std::string& small :
-         {std::to_string(row.leastWidth - 1) + "x8192", "8192x" + std::to_string(row.leastHeight - 1)})
+         {std::to_string(row.least.x - 1) + "x8192", "8192x" + std::to_string(row.least.y - 1)})
       EXPECT_EQ(complaint({"--view", name, "--size", small}),
                 view + " needs a --size of at least " + width + "x" + height);
     EXPECT_EQ(complaint({"--view", name}), "") << "the size without --size is too small";
@@ -106,9 +106,9 @@ TEST(Options, RefuseWhatAViewCannotHeed) {
   }
   // The others are drawn in the window only.
   int inTheWindow = 0;
-  for (const WindowViewRow& row : kWindowViews) {
-    const std::string name{row.option};
-    if (std::ranges::find(kViews, name, &ViewRow::name) != kViews.end()) continue;
+  for (const ViewRow& row : kWindowViews) {
+    const std::string name{row.name};
+    if (row.hasSheet()) continue;
     ++inTheWindow;
     EXPECT_EQ(complaintAll({"--view", name}), "");
     EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}), "");

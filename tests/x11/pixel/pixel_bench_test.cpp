@@ -43,7 +43,7 @@ TEST(PixelBench, AClickExplains) {
   b.dragTo(x + 1, y - 1);
   b.settle();
   b.finish();
-  EXPECT_EQ(b.view(), WindowView::Pixel);
+  EXPECT_EQ(b.view(), View::Pixel);
   // The pictures of the two views have other shapes: the face is the same, not the share of the width.
   EXPECT_NE(b.bench().status().find(": face " + std::to_string(face)), std::string::npos)
       << b.bench().status();
@@ -55,7 +55,7 @@ TEST(PixelBench, AClickExplains) {
   b.dragTo(x + 40, y);
   b.settle();
   b.finish();
-  EXPECT_EQ(b.view(), WindowView::Picture);
+  EXPECT_EQ(b.view(), View::Picture);
   EXPECT_NE(b.setup(), b.defaults());
 }
 
@@ -187,13 +187,13 @@ TEST(PixelBench, ExplainsInALesson) {
   b.finish();
   b.press('8');
   b.finish();
-  EXPECT_EQ(b.view(), WindowView::Pixel);
+  EXPECT_EQ(b.view(), View::Pixel);
   EXPECT_EQ(b.scene().divisions, 3) << "the lesson's teapot";
   EXPECT_EQ(b.setup().picture.light.n, 5);
   EXPECT_TRUE(b.bench().status().starts_with("pixel ")) << b.bench().status();
   b.press('7');
   b.finish();
-  EXPECT_EQ(b.view(), WindowView::Lesson);
+  EXPECT_EQ(b.view(), View::Lesson);
 }
 
 // The pixel is that of the step that the keys go to, however quickly they are pressed.
@@ -206,7 +206,7 @@ TEST(PixelBench, ExplainsAStepThatIsNotDrawnYet) {
       if (waits) b.finish();
       b.press(key);
     }
-    EXPECT_EQ(b.view(), WindowView::Pixel);
+    EXPECT_EQ(b.view(), View::Pixel);
     b.finish();
     said.push_back(b.bench().status());
   }

@@ -41,7 +41,7 @@ struct ScanlineWindow : ReadyWorkbench {
 // and j go along its samples, and the strip marks the cell of each.
 TEST(ScanlineBench, StepsAlongThePolygon) {
   ScanlineWindow b;
-  EXPECT_EQ(b.view(), WindowView::Scanline);
+  EXPECT_EQ(b.view(), View::Scanline);
   EXPECT_GT(b.run().steps(), 60);
   EXPECT_LT(b.run().steps(), 700);
   EXPECT_NEAR(b.step(), 0.6 * b.run().steps(), 1);
@@ -201,7 +201,7 @@ TEST(ScanlineBench, EightExplainsThePixel) {
   ScanlineWindow b;
   const int face = b.picture().snapped().faces[static_cast<std::size_t>(b.run().face())].number;
   b.does('8');
-  EXPECT_EQ(b.view(), WindowView::Pixel);
+  EXPECT_EQ(b.view(), View::Pixel);
   EXPECT_NE(b.bench().status().find(": face " + std::to_string(face)), std::string::npos)
       << b.bench().status();
 }

@@ -41,7 +41,7 @@ TEST(SortWorkbench, ComesAndGoes) {
   const Palette palette = b.palette();
   b.type("2");
   b.finish();
-  EXPECT_EQ(b.view(), WindowView::DepthSort);
+  EXPECT_EQ(b.view(), View::DepthSort);
   EXPECT_NE(b.image(), picture);
   for (int k = 0; k < 7; ++k) b.press({NamedKey::Right});
   b.finish();
@@ -149,7 +149,7 @@ TEST(SortWorkbench, PlaysAndIsDragged) {
   b.settle();
   EXPECT_EQ(different(b.shown(), end, b.layout().body), 0);
   b.type("1");
-  EXPECT_EQ(b.view(), WindowView::Picture);
+  EXPECT_EQ(b.view(), View::Picture);
 }
 
 // A scene with a plan of full colours is shown in one hue. For a scene too long to step through, the view
@@ -169,7 +169,7 @@ TEST(SortWorkbench, SaysWhatItCannotShow) {
   b.update();
   b.type("2");
   b.finish();
-  EXPECT_EQ(b.view(), WindowView::DepthSort);
+  EXPECT_EQ(b.view(), View::DepthSort);
   const IndexImage tooLong = b.image();
   b.press({NamedKey::Right});
   b.type("jgy/");

@@ -32,7 +32,7 @@ class BenchStage : public Host {
     undone.pop_back();
   }
   void pressLetter(char) override {}
-  void switchTo(WindowView) override {}
+  void switchTo(View) override {}
   void explain(double, double) override {}
   void sortFrom(int) override {}
   void fill(const std::string&) override {}

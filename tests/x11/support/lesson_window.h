@@ -26,14 +26,14 @@ class LessonWindow : public Host {
     setup_ = first_ = own;
     ++closed;
   }
-  void switchTo(WindowView v) override {
+  void switchTo(View v) override {
     bench.leave();
     view = v;
   }
   void explain(double, double) override {}
   void sortFrom(int step) override {
     sortedFrom = step;
-    switchTo(WindowView::DepthSort);
+    switchTo(View::DepthSort);
   }
   void fill(const std::string&) override {}
   void compare(const Setup&) override {}
@@ -74,7 +74,7 @@ class LessonWindow : public Host {
   LessonBench bench{*this};
   std::optional<PictureCache> pictures{readScene("teapot", 3)};
   std::optional<Picture> shown;  ///< the picture that was drawn last
-  WindowView view = WindowView::Lesson;
+  View view = View::Lesson;
   IndexImage image;
   Palette palette{};
   std::string notice;

@@ -136,9 +136,11 @@ class Maker {
   void view(const std::string& command, const std::string& scene) {
     add({command, scene});
     writes("-o", "view.png");
-    const ViewRow& row = kViews[1 + rng_() % (kViews.size() - 1)];
+    std::size_t any = 0;
+    while (any == 0 || !kViews[any].hasSheet()) any = rng_() % kViews.size();
+    const ViewRow& row = kViews[any];
     add({"--view", std::string{row.name}, "--size",
-         std::to_string(row.leastWidth) + "x" + std::to_string(row.leastHeight)});
+         std::to_string(row.least.x) + "x" + std::to_string(row.least.y)});
     if (row.id == View::MachBands && oneIn(2)) add({"--scanline", std::to_string(below(300, rng_))});
     if (row.id == View::Colors && oneIn(2)) add({"--cell", std::to_string(below(256, rng_))});
     options(2);

@@ -81,7 +81,7 @@ class Stepper : private Host {
   void undo() override {}
   void pressLetter(char) override {}
   void open(Scene, const xnewell::Setup&) override {}
-  void switchTo(WindowView) override {}
+  void switchTo(View) override {}
   void explain(double, double) override {}
   void sortFrom(int) override {}
   void fill(const std::string&) override {}

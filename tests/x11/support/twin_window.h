@@ -97,11 +97,11 @@ class TwinWindow {
   [[nodiscard]] std::vector<Rect> timeless() const {
     const Layout& layout = same.layout();
     std::vector<Rect> parts{layout.body};
-    if (same.view() == WindowView::SideBySide) {
+    if (same.view() == View::SideBySide) {
       const SidesLayout at = layoutOfSides(layout.body);
       parts = {at.captionA, at.A, at.captionB, at.B, at.difference};
     }
-    if (same.view() == WindowView::Trade) parts = {layoutOfTrade(layout.body, layout.picture).controls};
+    if (same.view() == View::Trade) parts = {layoutOfTrade(layout.body, layout.picture).controls};
     for (Rect& part : parts) part = part * unit;
     return parts;
   }

@@ -53,9 +53,9 @@ TEST(Views, NothingIsCutOff) {
   for (const View view : kDrawn) {
     const ViewRow& row = rowOf(view);
     for (PictureCache* const pictures : someOf({&teapot, &cycle, &tori}, 1))
-      for (const auto& [width, height] : {std::pair{row.leastWidth, row.leastHeight},
-                                          std::pair{row.leastWidth, 1200}, std::pair{1600, row.leastHeight},
-                                          std::pair{801, 601}, std::pair{1024, 768}, std::pair{1600, 1200}}) {
+      for (const auto& [width, height] :
+           {std::pair{row.least.x, row.least.y}, std::pair{row.least.x, 1200}, std::pair{1600, row.least.y},
+            std::pair{801, 601}, std::pair{1024, 768}, std::pair{1600, 1200}}) {
         if (kSanitized && width * height > 600'000) continue;
         SCOPED_TRACE(std::string{row.name} + ' ' + pictures->scene().name + ' ' + std::to_string(width) +
                      'x' + std::to_string(height));

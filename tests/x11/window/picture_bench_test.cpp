@@ -276,7 +276,7 @@ TEST(PictureBench, QIsNoKeyWhileAValueIsTyped) {
 
 // The strip tells about what is shown in the picture's place: its cells, and what they hold.
 TEST(PictureBench, TheStripIsOfWhatIsShown) {
-  for (const Show show : {Show::Shaded, Show::Wireframe, Show::Normals, Show::Overdraw}) {
+  for (const View show : {View::Picture, View::Wireframe, View::Normals, View::Overdraw}) {
     SCOPED_TRACE(static_cast<int>(show));
     xnewell::Setup setup;
     setup.show = show;
@@ -284,12 +284,12 @@ TEST(PictureBench, TheStripIsOfWhatIsShown) {
     PictureBench bench{stage, [&] { return Subject{stage.pictures.scene(), {}, 1.0}; }};
     stage.draw(bench);
     const CellUse shaded = cellUse(stage.pictures.last().image());
-    ASSERT_EQ(bench.use() == nullptr, show == Show::Shaded);
+    ASSERT_EQ(bench.use() == nullptr, show == View::Picture);
     if (bench.use() != nullptr) {
       EXPECT_NE(bench.use()->samples, shaded.samples);
     }
-    ASSERT_EQ(bench.colors() == nullptr, show != Show::Normals);
-    if (show != Show::Normals) continue;
+    ASSERT_EQ(bench.colors() == nullptr, show != View::Normals);
+    if (show != View::Normals) continue;
     const SceneCellWords& words = bench.colors()->words.value();
     EXPECT_EQ(words.what, "colours");
     EXPECT_EQ(usedCells(*bench.use(), words.cells), words.cells.count);
