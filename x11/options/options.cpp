@@ -309,7 +309,13 @@ std::optional<Given> split(const std::vector<OptionRow>& rows, std::vector<std::
   app.formatter(std::make_shared<Help>());
   app.footer("In the window, `?` shows all keys.\nExit status: " + exitStatuses() + ".");
   app.set_help_flag();
+  // CLI11 compares each option with all before it. Only --help needs those that no argument names.
+  const auto named = [&](std::string_view name) {
+    return std::ranges::any_of(arguments, [&](const std::string& text) { return text.starts_with(name); });
+  };
+  const bool all = named("--help") || named("-h");
   for (const OptionRow& row : rows) {
+    if (!all && row.isOption() && row.letter.empty() && !named(row.name)) continue;
     const std::string names = (row.letter.empty() ? "" : row.letter + ',') + row.name;
     if (row.takes == Takes::Nothing)
       app.add_flag(names, row.does)->take_last();
@@ -317,7 +323,10 @@ std::optional<Given> split(const std::vector<OptionRow>& rows, std::vector<std::
       app.add_option(names, row.does)->expected(row.mayLack ? 0 : 1, 1);
   }
   const std::string last = arguments.empty() ? "" : arguments.back();
-  const auto asks = [&](const char* option) { return app.count(option) > 0; };
+  const auto asks = [&](const char* option) {
+    const CLI::Option* const row = app.get_option_no_throw(option);
+    return row != nullptr && row->count() > 0;
+  };
   try {
     std::ranges::reverse(arguments);  // CLI11 takes them in reverse order
     app.parse(arguments);
