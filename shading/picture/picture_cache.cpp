@@ -57,10 +57,15 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
   const ViewSpec& view = next.camera_.view;
 
   // Lighting and shades, in world coordinates. The diffuse term does not depend on the eye. The specular term
-  // is computed again when the eye moves.
+  // is computed again when the eye moves. It comes after the sort, in the memory that the sort gave back,
+  // unless it divides polygons, or did so for the last picture.
   const ColorPlan plan = planOf(scene, wanted);
-  timed(ms.shade,
-        [&] { next.shading_ = next.shading_.next(scene, inScene, channelsOf(plan), next.camera_); });
+  const auto shade = [&] {
+    timed(ms.shade,
+          [&] { next.shading_ = next.shading_.next(scene, inScene, channelsOf(plan), next.camera_); });
+  };
+  const bool dividesFirst = wanted.adapt > 0.0 || next.shading_.refined();
+  if (dividesFirst) shade();
 
   // View, shear, warp, clip, viewport, and one snap to the grid. From here on, everything is exact.
   const bool newView = changed(&Asked::width, &Asked::height, &Asked::cull) || view != last_->camera_.view ||
@@ -88,6 +93,8 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
       next.sorted_ = std::move(visibility.sorted);
       if (newView) next.snapped_ = std::move(snapped);
     });
+
+  if (!dividesFirst) shade();
 
   // The colour tables, and the cell of each intensity. A plan of colours chooses its colours later, from the
   // image.
