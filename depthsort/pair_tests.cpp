@@ -103,7 +103,7 @@ bool PairTests::apartAlongEdges(const SnappedFace& P, const SnappedFace& Q) cons
 }
 
 bool PairTests::apartAlongSides(const Region& P, const Region& Q) const {
-  return std::ranges::any_of(P, [&](const Side& side) { return !regions_.signs(side.line, Q).positive; });
+  return std::ranges::any_of(P, [&](const Side& side) { return !regions_.reaches(Q, side.line); });
 }
 
 Relation PairTests::nearerInOverlap(const Shape& P, const Shape& Q) {

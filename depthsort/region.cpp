@@ -121,9 +121,16 @@ void Regions::outline(const SnappedFace& face, Region& region) const {
 
 Signs Regions::signs(const Line& line, const Region& region) const {
   Signs signs;
-  for (std::size_t k = 0; k < region.size(); ++k)
-    signs.add(sign(line, region[k].line, region[k + 1 == region.size() ? 0 : k + 1].line, region[k].corner));
+  for (std::size_t k = 0; k < region.size() && !signs.both(); ++k) signs.add(sign(line, region, k));
   return signs;
+}
+
+bool Regions::reaches(const Region& region, const Line& line) const {
+  const auto isSure = [&](const Side& side) { return estimate(line, side.corner) > 0; };
+  if (std::ranges::any_of(region, isSure)) return true;
+  for (std::size_t k = 0; k < region.size(); ++k)
+    if (sign(line, region, k) > 0) return true;
+  return false;
 }
 
 void Regions::clip(Region& region, const Line& line) const {
@@ -136,7 +143,7 @@ void Regions::clip(Region& region, const Line& line) const {
   std::int8_t* const at = count > kFew ? many.data() : few.data();
   Signs signs;
   for (int k = 0; k < count; ++k) {
-    at[k] = static_cast<std::int8_t>(sign(line, region[k].line, region[next(k)].line, region[k].corner));
+    at[k] = static_cast<std::int8_t>(sign(line, region, k));
     signs.add(at[k]);
   }
   if (!signs.negative) return;

@@ -84,13 +84,12 @@ class Regions {
 
   /// The sign of a line at the corner `at`, where the lines `first` and `second` meet.
   [[nodiscard]] int sign(const Line& line, const Line& first, const Line& second, const Corner& at) const {
-    const double value = line.a * at.x + line.b * at.y + line.c;
-    // The coefficients are within 2^-52; two products and two sums round.
-    const double rounding = 0x1p-49 * (std::abs(at.x) + std::abs(at.y) + std::abs(line.c));
-    if (std::abs(value) > rounding + 2.0 * at.radius) return value > 0 ? 1 : -1;
-    return exactSign(line, first, second, at);
+    const int sure = estimate(line, at);
+    return sure != 0 ? sure : exactSign(line, first, second, at);
   }
   [[nodiscard]] Signs signs(const Line& line, const Region& region) const;
+  /// True if a part of the region is on the positive side of the line.
+  [[nodiscard]] bool reaches(const Region& region, const Line& line) const;
 
   /// Clips the region to the positive side of the line. If no area is left, the region is empty.
   void clip(Region& region, const Line& line) const;
@@ -98,6 +97,17 @@ class Regions {
   [[nodiscard]] static Line flipped(Line line);
 
  private:
+  /// The sign of a line at a corner; 0 if doubles leave it in doubt.
+  [[nodiscard]] static int estimate(const Line& line, const Corner& at) {
+    const double value = line.a * at.x + line.b * at.y + line.c;
+    // The coefficients are within 2^-52; two products and two sums round.
+    const double rounding = 0x1p-49 * (std::abs(at.x) + std::abs(at.y) + std::abs(line.c));
+    return std::abs(value) > rounding + 2.0 * at.radius ? (value > 0 ? 1 : -1) : 0;
+  }
+  /// The sign of a line at the end of side k.
+  [[nodiscard]] int sign(const Line& line, const Region& region, std::size_t k) const {
+    return sign(line, region[k].line, region[k + 1 == region.size() ? 0 : k + 1].line, region[k].corner);
+  }
   [[nodiscard]] Corner meeting(const Line& first, const Line& second) const;
   [[nodiscard]] int exactSign(const Line& line, const Line& first, const Line& second,
                               const Corner& at) const;
