@@ -79,6 +79,17 @@ bool sameLine(const Line& l, const Line& m) {
   return l.kind == m.kind && ((l.p == m.p && l.q == m.q) || (l.p == m.q && l.q == m.p));
 }
 
+/// True if the three lines are the cuts of three planes with each other: they meet in one point. None is the
+/// same as another.
+bool cutThreePlanes(const Line& l, const Line& m, const Line& n) {
+  if (l.kind != Line::Kind::Cut || m.kind != Line::Kind::Cut || n.kind != Line::Kind::Cut) return false;
+  const auto other = [](const Line& line, int plane) { return line.p == plane ? line.q : line.p; };
+  const int shared = l.p == m.p || l.p == m.q ? l.p : l.q;
+  if (shared != m.p && shared != m.q) return false;
+  const int a = other(l, shared), b = other(m, shared);
+  return (n.p == a && n.q == b) || (n.p == b && n.q == a);
+}
+
 }  // namespace
 
 Line Regions::edge(int from, int to) const {
@@ -229,6 +240,7 @@ int Regions::exactSign(const Line& line, const Line& first, const Line& second, 
     const std::int64_t value = std::int64_t{q.y - p.y} * (x - p.x) + std::int64_t{p.x - q.x} * (y - p.y);
     return value < 0 ? -1 : value > 0;
   }
+  if (cutThreePlanes(line, first, second)) return 0;
   const FineLine fine = finely(line), fineFirst = finely(first);
   if (const int sign = fineSign(fine, fineFirst, finely(second))) return sign;
   const ExactLine l = exactly(scene_, first), m = exactly(scene_, second), n = exactly(scene_, line);
