@@ -357,12 +357,11 @@ void uniteCoplanar(const Mesh& mesh, ConvexParts& parts) {
 ModelPlane planeOf(const Mesh& mesh, const ConvexParts& parts, int part) {
   if (const ModelPlane* const found = parts.planes.find(parts.plane[part])) return *found;
   const UnitFrame frame = parts.frame.value_or(UnitFrame{});
-  std::vector<glm::dvec3> points;
-  std::vector<int> corners;
-  for (const int c : parts.part(part)) {
-    corners.push_back(static_cast<int>(points.size()));
-    points.push_back(frame.inUnits(mesh.points[c]));
-  }
+  const auto outline = parts.part(part);
+  std::vector<glm::dvec3> points(outline.size());
+  std::ranges::transform(outline, points.begin(), [&](int c) { return frame.inUnits(mesh.points[c]); });
+  std::vector<int> corners(outline.size());
+  std::iota(corners.begin(), corners.end(), 0);
   const glm::dvec3 v = newellVector(points, corners);
   const double area = glm::length(v);
   return {area > 0.0 ? v / area : glm::dvec3{0.0}, frame.inMesh(centroid(points, corners))};

@@ -21,12 +21,15 @@ namespace {
 
 constexpr int kDivisionGridBits = 50;
 
-/// One face, prepared for the decisions.
+/// One face, prepared for the decisions. Its memory serves the next face, too.
 struct Outline {
   std::vector<int> turns;          ///< the corners that are not in the middle of a straight side
   std::vector<LatticePoint> grid;  ///< these, counter-clockwise
   bool planar = false;
   bool hasArea = false;
+  std::vector<glm::dvec3> p;  ///< buffers of outlineOf()
+  std::vector<int> all;
+  std::vector<RoundedPoint> points;
 };
 
 /// Sets `corners` to a face's corners, as indices into Mesh::corners. A corner at the same place as the one
@@ -69,14 +72,14 @@ void dropSpikes(std::vector<glm::dvec3>& p, std::vector<int>& corners, double wi
   keep(p), keep(corners);
 }
 
-/// Outline::turns; all corners if fewer than three turn. Each edge is compared with the last corner that
-/// turns, so what a round side turns adds up.
-std::vector<int> turnsOf(const std::vector<glm::dvec3>& p, double width) {
+/// Finds Outline::turns; all corners if fewer than three turn. Each edge is compared with the last corner
+/// that turns, so what a round side turns adds up.
+void findTurns(const std::vector<glm::dvec3>& p, double width, std::vector<int>& turns) {
   const auto leftmost = std::ranges::min_element(p, [](const glm::dvec3& a, const glm::dvec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
   });
   const auto first = static_cast<int>(leftmost - p.begin()), n = static_cast<int>(p.size());
-  std::vector<int> turns{first};
+  turns.assign(1, first);
   for (int k = first + 1; k < first + n; ++k)
     if (!inLine(p[turns.back()], p[k % n], p[(k + 1) % n], width)) turns.push_back(k % n);
   if (turns.size() < 3) {
@@ -84,7 +87,6 @@ std::vector<int> turnsOf(const std::vector<glm::dvec3>& p, double width) {
     std::iota(turns.begin(), turns.end(), 0);
   }
   std::ranges::sort(turns);
-  return turns;
 }
 
 /// The perimeter / the area; infinite without area.
@@ -100,7 +102,7 @@ double steepnessOf(std::span<const glm::dvec3> p) {
 }
 
 /// Takes the spikes from the corners, too.
-Outline outlineOf(const Mesh& mesh, std::vector<int>& corners, double rounding) {
+void outlineOf(const Mesh& mesh, std::vector<int>& corners, double rounding, Outline& outline) {
   const auto at = [&](int corner) { return mesh.points[mesh.corners[corner]]; };
   // Scale by a power of two first, so that differences do not overflow. Then move the box to the origin and
   // scale again, so that the box is 2^49 to 2^50 steps long.
@@ -108,8 +110,9 @@ Outline outlineOf(const Mesh& mesh, std::vector<int>& corners, double rounding) 
   for (const int c : corners) magnitude = std::max(magnitude, largest(glm::abs(at(c))));
   int exponent = 0, boxExponent = 0;
   magnitude = std::frexp(magnitude, &exponent);
-  std::vector<glm::dvec3> p;
-  p.reserve(corners.size());
+  auto& [turns, grid, planar, hasArea, p, all, points] = outline;
+  planar = hasArea = false;
+  p.clear(), points.clear(), grid.clear();
   for (const int c : corners) p.push_back(scaled(at(c), -exponent));
   const Box box = boxOf(p);
   const double extent = std::frexp(box.side(), &boxExponent);
@@ -120,12 +123,10 @@ Outline outlineOf(const Mesh& mesh, std::vector<int>& corners, double rounding) 
   const Rounding bound{e, std::ldexp(magnitude, steps)};
   dropSpikes(p, corners, bound.arithmetic());
 
-  Outline outline;
-  if (p.size() < 3) return outline;
-  std::vector<int> all(p.size());
+  if (p.size() < 3) return;
+  all.resize(p.size());
   std::iota(all.begin(), all.end(), 0);
   const Plane plane = newellPlane(p, all);
-  std::vector<RoundedPoint> points;
   for (const glm::dvec3& q : p) points.push_back({q, u});
   // Most bent faces are known without a fit: a corner is further off than any rounding can explain.
   const double rho = bound.most(u), steepness = steepnessOf(p);
@@ -135,21 +136,19 @@ Outline outlineOf(const Mesh& mesh, std::vector<int>& corners, double rounding) 
     return std::abs(glm::dot(plane.N, q) - plane.d) >
            Rounding::mostOff(rho, steepness, glm::length(q - mean));
   });
-  outline.planar = !bent && fitPlane(points, plane, bound, FitGoal::Explain).explains();
+  planar = !bent && fitPlane(points, plane, bound, FitGoal::Explain).explains();
 
   const glm::dvec3 N = glm::abs(plane.N);
   const int dropped = N.z >= N.x && N.z >= N.y ? 2 : N.y >= N.x ? 1 : 0;
   const auto nearest = [](double x) { return static_cast<std::int64_t>(x + 0.5); };
-  outline.turns = turnsOf(p, bound.arithmetic());
-  for (const int k : outline.turns)
-    outline.grid.push_back({nearest(p[k][(dropped + 1) % 3]), nearest(p[k][(dropped + 2) % 3])});
+  findTurns(p, bound.arithmetic(), turns);
+  for (const int k : turns)
+    grid.push_back({nearest(p[k][(dropped + 1) % 3]), nearest(p[k][(dropped + 2) % 3])});
   Int128 area = 0;
-  for (std::size_t i = 2; i < outline.grid.size(); ++i)
-    area += turn(outline.grid[0], outline.grid[i - 1], outline.grid[i]);
+  for (std::size_t i = 2; i < grid.size(); ++i) area += turn(grid[0], grid[i - 1], grid[i]);
   if (area < 0)
-    for (LatticePoint& q : outline.grid) std::swap(q.x, q.y);
-  outline.hasArea = area != 0;
-  return outline;
+    for (LatticePoint& q : grid) std::swap(q.x, q.y);
+  hasArea = area != 0;
 }
 
 /// True if the polygon is weakly convex: it has no right turn and goes round once. It goes round once if its
@@ -197,10 +196,11 @@ ConvexParts divideFaces(const Mesh& mesh) {
   parts.face.reserve(mesh.firstCorner.size());
   parts.plane.reserve(mesh.firstCorner.size());
   std::vector<int> corners, part;
+  Outline outline;
   for (int f = 0; f < mesh.faceCount(); ++f) {
     collapse(mesh, f, corners);
-    Outline outline;
-    if (corners.size() > 3) outline = outlineOf(mesh, corners, mesh.roundingOf(f));
+    outline.hasArea = false;
+    if (corners.size() > 3) outlineOf(mesh, corners, mesh.roundingOf(f), outline);
     if (corners.size() < 3) {
       corners.resize(mesh.face(f).size());
       std::iota(corners.begin(), corners.end(), mesh.firstCorner[f]);
