@@ -76,20 +76,16 @@ struct Spelling {
   bool integer = true;     ///< there is no point and no exponent
 };
 Spelling spellingOf(std::string_view number) {
+  std::size_t end = 0, point = number.npos, first = 0;  // the first digit that is not 0
+  for (; end < number.size() && number[end] != 'e' && number[end] != 'E'; ++end)
+    if (number[end] == '.') point = end;
+  while (first < end && number[first] <= '0') ++first;
   Spelling s;
-  bool fraction = false;
-  for (std::size_t i = 0; i < number.size(); ++i) {
-    const char c = number[i];
-    if (c == 'e' || c == 'E') {
-      s.integer = false;
-      s.decimals -= toExponent(number.substr(i + 1));
-      break;
-    }
-    s.decimals += fraction;
-    s.zeros = c == '0' ? s.zeros + 1 : 0;
-    s.digits += s.digits > 0 ? c != '.' : c > '0';
-    if (c == '.') fraction = true, s.integer = false;
-  }
+  while (s.zeros < static_cast<int>(end) && number[end - 1 - s.zeros] == '0') ++s.zeros;
+  s.digits = static_cast<int>(end - first) - (first < end && point != number.npos && point > first);
+  s.integer = point == number.npos && end == number.size();
+  if (point != number.npos) s.decimals = static_cast<long long>(end - point) - 1;
+  if (end < number.size()) s.decimals -= toExponent(number.substr(end + 1));
   return s;
 }
 
