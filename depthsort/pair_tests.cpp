@@ -102,8 +102,10 @@ bool PairTests::apartAlongEdges(const SnappedFace& P, const SnappedFace& Q) cons
   return false;
 }
 
+// All polygons of a run lie in its area, so the sides of the area part none.
 bool PairTests::apartAlongSides(const Region& P, const Region& Q) const {
-  return std::ranges::any_of(P, [&](const Side& side) { return !regions_.reaches(Q, side.line); });
+  return std::ranges::any_of(
+      P, [&](const Side& side) { return !side.line.isOfArea() && !regions_.reaches(Q, side.line); });
 }
 
 Relation PairTests::nearerInOverlap(const Shape& P, const Shape& Q) {
@@ -183,7 +185,8 @@ const Region& PairTests::regionOf(const Shape& P, Region& buffer) const {
 
 void PairTests::overlap(const Shape& P, const Shape& Q) {
   both_ = regionOf(P, bufferP_);
-  for (const Side& side : regionOf(Q, bufferQ_)) regions_.clip(both_, side.line);
+  for (const Side& side : regionOf(Q, bufferQ_))
+    if (!side.line.isOfArea()) regions_.clip(both_, side.line);
 }
 
 }  // namespace xnewell
