@@ -37,15 +37,20 @@ Product difference(Int128 D, std::int64_t c, Int128 E, std::int64_t d) {
   return {(D >> 64) * d - (E >> 64) * c + carry, low - (carry << 64)};
 }
 
+/// The coefficients of an edge, or of a side of an area.
+std::array<std::int64_t, 3> wholeLine(const SnappedScene& scene, const Line& line) {
+  const std::int64_t side = line.q;
+  if (line.kind == Line::Kind::Upright) return {side, 0, -side * line.p};
+  if (line.kind == Line::Kind::Level) return {0, side, -side * line.p};
+  const glm::ivec3 &p = scene.vertices[line.p], &q = scene.vertices[line.q];
+  const std::int64_t a = q.y - p.y, b = p.x - q.x;
+  return {a, b, -a * p.x - b * p.y};
+}
+
 ExactLine exactly(const SnappedScene& scene, const Line& line) {
-  if (line.kind == Line::Kind::Edge) {
-    const glm::ivec3 &p = scene.vertices[line.p], &q = scene.vertices[line.q];
-    const std::int64_t a = q.y - p.y, b = p.x - q.x;
-    return {Wide{a}, Wide{b}, Wide{-a * p.x - b * p.y}};
-  }
-  if (line.isOfArea()) {
-    const bool upright = line.kind == Line::Kind::Upright;
-    return {Wide{upright ? line.q : 0}, Wide{upright ? 0 : line.q}, Wide{-std::int64_t{line.q} * line.p}};
+  if (line.kind != Line::Kind::Cut) {
+    const auto [a, b, c] = wholeLine(scene, line);
+    return {Wide{a}, Wide{b}, Wide{c}};
   }
   const ScreenPlane &P = scene.planes[line.p], &Q = scene.planes[line.q];
   return {Wide{difference(P.A, P.C, Q.A, Q.C)}, Wide{difference(P.B, P.C, Q.B, Q.C)},
@@ -82,21 +87,20 @@ bool sameLine(const Line& l, const Line& m) {
 /// True if the three lines are the cuts of three planes with each other: they meet in one point. None is the
 /// same as another.
 bool cutThreePlanes(const Line& l, const Line& m, const Line& n) {
-  if (l.kind != Line::Kind::Cut || m.kind != Line::Kind::Cut || n.kind != Line::Kind::Cut) return false;
+  if (l.kind != Line::Kind::Cut || m.kind != Line::Kind::Cut) return false;
   const auto other = [](const Line& line, int plane) { return line.p == plane ? line.q : line.p; };
   const int shared = l.p == m.p || l.p == m.q ? l.p : l.q;
   if (shared != m.p && shared != m.q) return false;
-  const int a = other(l, shared), b = other(m, shared);
-  return (n.p == a && n.q == b) || (n.p == b && n.q == a);
+  return sameLine(n, {Line::Kind::Cut, other(l, shared), other(m, shared)});
 }
 
 }  // namespace
 
 Line Regions::edge(int from, int to) const {
-  const glm::ivec3 &p = scene_.vertices[from], &q = scene_.vertices[to];
-  const std::int64_t a = q.y - p.y, b = p.x - q.x;
-  return scaled({Line::Kind::Edge, from, to, static_cast<double>(a), static_cast<double>(b),
-                 static_cast<double>(-a * p.x - b * p.y)});
+  Line line{Line::Kind::Edge, from, to};
+  const auto [a, b, c] = wholeLine(scene_, line);
+  line.a = static_cast<double>(a), line.b = static_cast<double>(b), line.c = static_cast<double>(c);
+  return scaled(line);
 }
 
 Line Regions::upright(int at, int side) {
@@ -139,9 +143,9 @@ Signs Regions::signs(const Line& line, const Region& region) const {
 bool Regions::reaches(const Region& region, const Line& line) const {
   const auto isSure = [&](const Side& side) { return estimate(line, side.corner) > 0; };
   if (std::ranges::any_of(region, isSure)) return true;
-  for (std::size_t k = 0; k < region.size(); ++k)
-    if (sign(line, region, k) > 0) return true;
-  return false;
+  std::size_t k = 0;
+  while (k < region.size() && sign(line, region, k) <= 0) ++k;
+  return k < region.size();
 }
 
 void Regions::clip(Region& region, const Line& line) const {
@@ -194,12 +198,10 @@ Corner Regions::meeting(const Line& l, const Line& m) const {
 }
 
 Regions::FineLine Regions::fineLine(const Line& line) const {
-  if (line.kind == Line::Kind::Edge) {
-    const glm::ivec3 &p = scene_.vertices[line.p], &q = scene_.vertices[line.q];
-    const std::int64_t a = q.y - p.y, b = p.x - q.x;
-    return {{double(a), 0.0}, {double(b), 0.0}, twoDoubles(-a * p.x - b * p.y)};
+  if (line.kind != Line::Kind::Cut) {
+    const auto [a, b, c] = wholeLine(scene_, line);
+    return {{double(a), 0.0}, {double(b), 0.0}, twoDoubles(c)};
   }
-  if (line.isOfArea()) return {{line.a, 0.0}, {line.b, 0.0}, {line.c, 0.0}};
   const ScreenPlane &P = scene_.planes[line.p], &Q = scene_.planes[line.q];
   const Product c = difference(P.D, P.C, Q.D, Q.C);
   const TwoDoubles high = twoDoubles(c.high);
@@ -232,12 +234,8 @@ int Regions::exactSign(const Line& line, const Line& first, const Line& second, 
     const auto x = static_cast<std::int64_t>(at.x), y = static_cast<std::int64_t>(at.y);
     if (line.kind == Line::Kind::Cut)
       return compareDepths(scene_.planes[line.p], scene_.planes[line.q], x, y);
-    if (line.isOfArea()) {
-      const std::int64_t beyond = (line.kind == Line::Kind::Upright ? x : y) - line.p;
-      return line.q * ((beyond > 0) - (beyond < 0));
-    }
-    const glm::ivec3 &p = scene_.vertices[line.p], &q = scene_.vertices[line.q];
-    const std::int64_t value = std::int64_t{q.y - p.y} * (x - p.x) + std::int64_t{p.x - q.x} * (y - p.y);
+    const auto [a, b, c] = wholeLine(scene_, line);
+    const std::int64_t value = a * x + b * y + c;  // below 2^62
     return value < 0 ? -1 : value > 0;
   }
   if (cutThreePlanes(line, first, second)) return 0;

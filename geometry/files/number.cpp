@@ -29,45 +29,6 @@ long long toExponent(std::string_view digits) {
   return std::clamp(exponent, -kFar, kFar);
 }
 
-/// True if a well-formed number other than 0 is at least 1 in magnitude. std::from_chars reports "out of
-/// range" for both too large and too small numbers and leaves the value unchanged (LWG 3081). This function
-/// tells them apart.
-bool isAtLeastOne(std::string_view number) {
-  long long power = -1;  // power of ten of the first digit that is not 0
-  bool fraction = false, leading = true;
-  for (std::size_t i = 0; i < number.size(); ++i) {
-    const char c = number[i];
-    if (c == 'e' || c == 'E') return power + toExponent(number.substr(i + 1)) >= 0;
-    if (c == '.') {
-      fraction = true;
-    } else if (c != '-') {
-      leading = leading && c == '0';
-      if (!fraction && !leading) ++power;
-      if (fraction && leading) --power;
-    }
-  }
-  return power >= 0;
-}
-
-}  // namespace
-
-double toNumber(const Words& words, std::string_view word, bool mayBe) {
-  if (mayBe && word.find('#') != word.npos) return NAN;  // -1.#IND of an old writer
-  const std::string_view number = withoutPlus(word);
-  const char* const end = number.data() + number.size();
-  double value = 0.0;
-  const auto [stop, error] = std::from_chars(number.data(), end, value);
-  if (stop != end || error == std::errc::invalid_argument) words.fail("malformed number " + inQuotes(word));
-  if (error == std::errc::result_out_of_range) {
-    if (isAtLeastOne(number)) words.fail("number " + inQuotes(word) + " is too large");
-    return number.starts_with('-') ? -0.0 : 0.0;
-  }
-  if (!mayBe && !std::isfinite(value)) words.fail("number " + inQuotes(word) + " is not finite");
-  return value;
-}
-
-namespace {
-
 /// What the text of a well-formed number says besides its value.
 struct Spelling {
   long long decimals = 0;  ///< trailing zeros included; not clamped
@@ -121,6 +82,23 @@ Spelling meant(std::string_view number, double value) {
 }
 
 }  // namespace
+
+double toNumber(const Words& words, std::string_view word, bool mayBe) {
+  if (mayBe && word.find('#') != word.npos) return NAN;  // -1.#IND of an old writer
+  const std::string_view number = withoutPlus(word);
+  const char* const end = number.data() + number.size();
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(number.data(), end, value);
+  if (stop != end || error == std::errc::invalid_argument) words.fail("malformed number " + inQuotes(word));
+  if (error == std::errc::result_out_of_range) {
+    // It is so for both too large and too small numbers, and the value is unchanged (LWG 3081).
+    const Spelling spelling = spellingOf(number);
+    if (spelling.digits > spelling.decimals) words.fail("number " + inQuotes(word) + " is too large");
+    return number.starts_with('-') ? -0.0 : 0.0;
+  }
+  if (!mayBe && !std::isfinite(value)) words.fail("number " + inQuotes(word) + " is not finite");
+  return value;
+}
 
 int decimals(std::string_view number) { return clampedDecimals(spellingOf(number)); }
 
