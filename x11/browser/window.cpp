@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "shading/color/png.h"
+#include "x11/app/snapshot.h"
 #include "x11/app/surface.h"
 #include "x11/app/viewer.h"
 #include "x11/app/work.h"
-#include "x11/browser/address.h"
+#include "x11/options/address.h"
 #include "x11/visual/x11_error.h"
 
 /// What the page does for the window (page.html).
@@ -142,6 +143,12 @@ int showWindow(const Options& options, Scene scene, const std::function<void(Wor
   window = std::move(next);
   return 0;
 }
+
+// What only an X server can do.
+void takeSnapshot(const Options&, Scene, const Taken&) {
+  throw X11Error{"there is no X server here; `draw` makes the same picture"};
+}
+std::string visualsTable(const Options&) { throw X11Error{"there is no X server here"}; }
 
 }  // namespace xnewell
 

@@ -1,4 +1,4 @@
-#include "x11/browser/address.h"
+#include "x11/options/address.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "x11/browser/address.h"
+#include "x11/options/address.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include "geometry/files/output_file.h"
 #include "geometry/files/text_file.h"
 #include "tests/support/temporary_folder.h"
-#include "x11/browser/write_page.h"
+#include "x11/command/write_page.h"
 #include "x11/options/options.h"
 #include "x11/options/shell_words.h"
 
