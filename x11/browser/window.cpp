@@ -40,22 +40,6 @@ struct Frame {
   int saved, dragging;
 };
 
-/// The names that browsers give to keys.
-struct KeyName {
-  std::string_view name;
-  NamedKey key;
-};
-constexpr std::array kKeyNames{
-    KeyName{"ArrowLeft", NamedKey::Left},   KeyName{"ArrowRight", NamedKey::Right},
-    KeyName{"ArrowUp", NamedKey::Up},       KeyName{"ArrowDown", NamedKey::Down},
-    KeyName{"Home", NamedKey::Home},        KeyName{"End", NamedKey::End},
-    KeyName{"PageUp", NamedKey::PageUp},    KeyName{"PageDown", NamedKey::PageDown},
-    KeyName{"Tab", NamedKey::Tab},          KeyName{" ", NamedKey::Space},
-    KeyName{"Enter", NamedKey::Return},     KeyName{"Backspace", NamedKey::Backspace},
-    KeyName{"Delete", NamedKey::Backspace}, KeyName{"Escape", NamedKey::Escape},
-    KeyName{"F11", NamedKey::F11},
-};
-
 /// The window in a page: keys and the pointer in, an image of indices and a table of 256 colours out.
 class Window {
  public:
@@ -172,12 +156,10 @@ EMSCRIPTEN_KEEPALIVE void xn_resize(int width, int height, int unit) {
                    std::clamp(unit, 1, xnewell::kMostScale)};
   if (window) window->resize();
 }
-EMSCRIPTEN_KEEPALIVE void xn_key(const char* text, int shift, int down) {
-  const std::string_view name{text};
-  const auto* const row = std::ranges::find(xnewell::kKeyNames, name, &xnewell::KeyName::name);
-  const bool named = row != xnewell::kKeyNames.end();
-  if (!named && (name.size() != 1 || name[0] <= ' ' || name[0] > '~')) return;
-  const xnewell::Key key{named ? row->key : xnewell::NamedKey::Letter, named ? '\0' : name[0], shift != 0};
+/// The page names keys by their places in NamedKey.
+static_assert(static_cast<int>(xnewell::NamedKey::F11) == 14);
+EMSCRIPTEN_KEEPALIVE void xn_key(int name, int letter, int shift, int down) {
+  const xnewell::Key key{static_cast<xnewell::NamedKey>(name), static_cast<char>(letter), shift != 0};
   if (down == 0)
     window->bench().release(key.letter);
   else
