@@ -91,14 +91,16 @@ class Window {
     return words;
   }
 
+  [[nodiscard]] std::string address() { return addressOf(bench().pictureNote()); }
+  /// For the page, until the next call.
+  [[nodiscard]] const char* kept(std::string text) { return (kept_ = std::move(text)).c_str(); }
+
  private:
   [[nodiscard]] Workbench::Server forBench() {
     Workbench::Server server;
     server.visual = [] { return std::string{"a page, 256 of 256 cells"}; };
     server.shownBits = 8;
-    server.copy = [this](const std::string& text) {
-      copyText(text.c_str(), addressOf(bench().pictureNote()).c_str());
-    };
+    server.copy = [this](const std::string& text) { copyText(text.c_str(), address().c_str()); };
     server.fillScreen = [this](std::optional<bool> wish) {
       full_ = wish.value_or(!full_);
       fillPage(full_ ? 1 : 0);
@@ -111,6 +113,7 @@ class Window {
   Surface surface_;
   std::array<std::uint8_t, 1024> colors_{};
   bool full_ = false;
+  std::string kept_;
 };
 
 std::unique_ptr<Window> window;
@@ -180,15 +183,7 @@ EMSCRIPTEN_KEEPALIVE const xnewell::Frame* xn_update() {
   frame = window->update();
   return &frame;
 }
-EMSCRIPTEN_KEEPALIVE const char* xn_words() {
-  static std::string words;
-  words = window->words();
-  return words.c_str();
-}
+EMSCRIPTEN_KEEPALIVE const char* xn_words() { return window->kept(window->words()); }
 /// What a link to this moment says.
-EMSCRIPTEN_KEEPALIVE const char* xn_address() {
-  static std::string address;
-  address = xnewell::addressOf(window->bench().pictureNote());
-  return address.c_str();
-}
+EMSCRIPTEN_KEEPALIVE const char* xn_address() { return window->kept(window->address()); }
 }
