@@ -9,9 +9,9 @@ cd "${1:-"$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."}"
 
 # KIND|NAME WITH SCOPE AND TYPES OF PARAMETERS|FILE. Left out: what other files do not see, main(), and the two
 # operators that a program may replace ([replacement.functions]), and what stands before the C library. A file of tests has a namespace THIS_FILE of its own.
-# Two files of the room browser stand in the place of the viewer and of the server, and never beside them.
+# The window of the room browser stands in the place of the viewer, and never beside it.
 tags() {
-  ctags -R --exclude=x11/browser/window.cpp --exclude=x11/browser/no_server.cpp --languages=C++ --langmap=C++:.h.cpp --kinds-C++=cgsufv --fields=+fS \
+  ctags -R --exclude=x11/browser/window.cpp --languages=C++ --langmap=C++:.h.cpp --kinds-C++=cgsufv --fields=+fS \
     --_xformat='%{file}|%K|%{scope}::%N%{signature}|%F' -x "$@" |
     sed -E '/__anon|::THIS_FILE|::main\(|operator (new|delete)|::pthread_create\(/d; /^file\|(function|variable)/d; s/^[^|]*\|//; s/-\|/|/
       s/([A-Za-z0-9_>&*]) +\**&*[A-Za-z_][A-Za-z0-9_]*([,)])/\1\2/g'

@@ -16,7 +16,7 @@
 #include "x11/app/long_work.h"
 #include "x11/app/server.h"
 #include "x11/app/snapshot.h"
-#include "x11/app/workbench.h"
+#include "x11/app/surface.h"
 #include "x11/server/canvas.h"
 #include "x11/server/colormap.h"
 #include "x11/server/display.h"
@@ -94,7 +94,6 @@ class Viewer {
  public:
   Viewer(const Options& options, Scene scene)
       : server_{options, scene},
-        scaleIsGiven_{options.gave("--scale")},
         given_{options.size},
         size_{firstSize(options)},
         canvas_{server_.display.get(),
@@ -102,12 +101,16 @@ class Viewer {
                 {.title = titleOf(scene), .width = size_.x, .height = size_.y}},
         selection_{server_.display.get(), canvas_.window()},
         fullScreen_{server_.display.get(), canvas_.window()},
-        bench_{std::move(scene), server_.setupOf(options), forBench()},
+        surface_{options,
+                 std::move(scene),
+                 server_.setupOf(options),
+                 forBench(),
+                 [this] { refresh(); },
+                 [this] { return pngOf(canvas_, server_.colormap, bench_.image(), bench_.pictureNote()); }},
         title_{titleOf(bench_.scene())},
         plan_{bench_.plan()} {
-    bench_.scale(std::min(scaleIsGiven_ ? options.scale : usualScale(), largestScale(size_.x, size_.y)));
+    surface_.scale(usualScale(), size_.x, size_.y);
     bench_.resize(size_.x, size_.y);
-    if (!options.answers.empty()) bench_.lessons().keepAnswers(options.answers);
     selectResources(display());
     XkbSetDetectableAutoRepeat(display(), 1, nullptr);  // a held key sends only one release event
   }
@@ -152,11 +155,6 @@ class Viewer {
       std::cout << text << std::endl;
       selection_.offer(text, pressedAt_);
     };
-    server.picture = [this] {
-      for (int k = 0; k < 3 && bench_.stale() != Workbench::Stale::Nothing; ++k) refresh();
-      return pngOf(canvas_, server_.colormap, bench_.image(), bench_.pictureNote());
-    };
-    server.say = [](const std::string& text) { std::cout << text << std::flush; };
     server.fillScreen = [this](std::optional<bool> wish) { return std::optional{fullScreen_.fill(wish)}; };
     return server;
   }
@@ -169,7 +167,7 @@ class Viewer {
   /// Without --size: the usual size at the scale, as far as the screen has room.
   [[nodiscard]] glm::ivec2 firstSize(const Options& options) const {
     if (options.size) return *options.size;
-    const glm::ivec2 wanted = scaleIsGiven_ ? windowSize(options) : kWindowSize * usualScale();
+    const glm::ivec2 wanted = options.gave("--scale") ? windowSize(options) : kWindowSize * usualScale();
     return glm::max(kWindowSize, glm::min(wanted, screenSize(display())));
   }
 
@@ -189,13 +187,14 @@ class Viewer {
     bringUpToDate(server_, canvas_, bench_, [this] {
       const Stopwatch watch;
       if (bench_.stale() != Workbench::Stale::Everything || !mayTakeLong()) {
-        bench_.update(dragging_);
+        bench_.update(surface_.dragging());
         tookLong_ = tookLong_ || watch.ms() > kLong;
         return;
       }
       const bool mayEnd = bench_.isSaved() && !bench_.isAsking();
       BusyNote note{.mayEnd = mayEnd, .mayGiveUp = bench_.hasShown()};
-      doPatiently([this] { bench_.update(dragging_); }, [&](int seconds) { return sayBusy(seconds, note); });
+      doPatiently([this] { bench_.update(surface_.dragging()); },
+                  [&](int seconds) { return sayBusy(seconds, note); });
       tookLong_ = tookLong_ || watch.ms() > kLong;
     });
     plan_ = bench_.plan();
@@ -255,17 +254,10 @@ class Viewer {
 
   [[nodiscard]] bool errorsToTell() const { return strayErrors() > 0 && !toldOfErrors_; }
 
-  /// The longest time to wait for events, in milliseconds; -1 if nothing but an event can happen. A moving
-  /// view moves at most once in 40 ms.
+  /// The longest time to wait for events, in milliseconds; -1 if nothing but an event can happen.
   [[nodiscard]] int longestWait() {
-    constexpr double kTick = 40;
     if (XPending(display()) > 0 || errorsToTell() || bench_.stale() != Workbench::Stale::Nothing) return 0;
-    if (!bench_.moving()) return -1;
-    const double rest = kTick - sinceTick_.ms();
-    if (rest > 0) return 1 + static_cast<int>(rest);
-    sinceTick_ = {};
-    bench_.tick();
-    return 0;
+    return surface_.tick();
   }
 
   /// Calls the handler of the event's type.
@@ -316,8 +308,7 @@ class Viewer {
   }
   /// The user has set another resolution of the screen.
   void propertyChanged(XEvent& event) {
-    if (isResourceChange(event) && !scaleIsGiven_ && !bench_.scaleIsChosen())
-      bench_.scale(std::min(usualScale(), largestScale(canvas_.width(), canvas_.height())));
+    if (isResourceChange(event)) surface_.scale(usualScale(), canvas_.width(), canvas_.height());
   }
   void asked(XEvent& event) { selection_.answer(event.xselectionrequest); }
   void key(XEvent& event) {
@@ -331,7 +322,7 @@ class Viewer {
       bench_.release(key->letter);
   }
   void released(XEvent& event) {
-    if (event.xbutton.button == Button1 && std::exchange(dragging_, false)) bench_.settle();
+    if (event.xbutton.button == Button1) surface_.letGo();
   }
   void message(XEvent& event) {
     if (canvas_.isCloseRequest(event)) bench_.askToQuit();
@@ -353,26 +344,19 @@ class Viewer {
     const XButtonEvent& e = event.xbutton;
     if (e.button == Button4) bench_.wheel(e.x, e.y, kWheelStep);
     if (e.button == Button5) bench_.wheel(e.x, e.y, 1.0 / kWheelStep);
-    if (e.button == Button1) dragging_ = bench_.grab(e.x, e.y);
+    if (e.button == Button1) surface_.press(e.x, e.y);
   }
-
-  void moved(XEvent& event) {
-    const XMotionEvent& e = event.xmotion;
-    if (dragging_)
-      bench_.dragTo(e.x, e.y);
-    else
-      bench_.hover(e.x, e.y);
-  }
+  void moved(XEvent& event) { surface_.move(event.xmotion.x, event.xmotion.y); }
 
   Server server_;
-  bool scaleIsGiven_;                ///< by an option
   std::optional<glm::ivec2> given_;  ///< the window's size, by an option
   glm::ivec2 size_;
   Canvas canvas_;
   Selection selection_;
   FullScreen fullScreen_;
   Time pressedAt_ = 0;  ///< of the last key event
-  Workbench bench_;
+  Surface surface_;
+  Workbench& bench_ = surface_.bench();
   static constexpr double kLong = 100;  ///< ms; a longer update counts as long
 
   std::string title_;
@@ -384,24 +368,17 @@ class Viewer {
   int busyFor_ = -1;  ///< the seconds that the busy box shows; -1 if there is no box
   Cursor watch_ = 0;  ///< a resource of the server, freed when the connection ends
   bool mapped_ = false;
-  bool dragging_ = false, pointerInside_ = false;
+  bool pointerInside_ = false;
   bool toldOfErrors_ = false;  ///< the user is told only once, because the notice is one more frame, which
                                ///< the server may refuse too
-  Stopwatch sinceTick_;
 };
 
 }  // namespace
 
-int runViewer(const Options& options, Scene scene, std::optional<Lesson> lesson,
-              const std::function<void()>& shown) {
+int showWindow(const Options& options, Scene scene, const std::function<void(Workbench&)>& begin,
+               const std::function<void()>& shown) {
   Viewer viewer{options, std::move(scene)};
-  viewer.bench().begin(options, std::move(lesson));
-  return viewer.run(shown);
-}
-
-int runLecture(const Options& options, std::vector<Page> pages, const std::function<void()>& shown) {
-  Viewer viewer{options, pages.front().scene};
-  viewer.bench().lecture({std::move(pages), options.play});
+  begin(viewer.bench());
   return viewer.run(shown);
 }
 

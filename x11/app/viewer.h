@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "x11/app/lecture.h"
+#include "x11/app/workbench.h"
 #include "x11/lessons/lesson.h"
 #include "x11/options/options.h"
 
@@ -21,6 +22,12 @@ namespace xnewell {
 
 /// Runs the window with a lecture of at least one page. `options` are about the window.
 [[nodiscard]] int runLecture(const Options& options, std::vector<Page> pages,
+                             const std::function<void()>& shown);
+
+/// Both call this, which an X server or a page of a browser implements: shows a window, at the place where
+/// `begin` takes its workbench.
+[[nodiscard]] int showWindow(const Options& options, Scene scene,
+                             const std::function<void(Workbench&)>& begin,
                              const std::function<void()>& shown);
 
 }  // namespace xnewell

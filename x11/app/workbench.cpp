@@ -231,6 +231,9 @@ Subject Workbench::subject() const {
 }
 
 bool Workbench::grab(int x, int y) {
+  if (isDrawn())
+    for (const CapPlace& cap : caps_)
+      if (cap.place.has(x / layout_.unit, y / layout_.unit)) return press(Key{cap.key}), false;
   notice_.clear();
   told_.clear();
   help_ = false;
@@ -351,7 +354,7 @@ void Workbench::drawFrame(bool dragging) {
             .typed = line_.typed(),
             .legend = legendOf(keys()),
             .help = help_ ? helpOf(keys()) : std::vector<HelpLine>{}};
-  drawPanel(paint, layout_, panel_, cells);
+  caps_ = drawPanel(paint, layout_, panel_, cells);
   shown_.emplace(indices(), Colors{work_.setup, effects}, picture, whole);
 }
 

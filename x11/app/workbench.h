@@ -282,6 +282,7 @@ class Workbench : public Host {
   std::optional<Lecture> lecture_;
   Layout layout_;
   PanelState panel_;
+  std::vector<CapPlace> caps_;
   std::string notice_, told_;  ///< for the status line: a warning (until a key or click), news (until a key)
   TypedLine line_;
   bool help_ = false, quit_ = false;

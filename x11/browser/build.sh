@@ -45,7 +45,7 @@ page=$root/x11/browser/page.html
 {
   sed '/^PROGRAM$/,$d' "$page"
   printf '<script type="text/plain" id="program">' && gzip -9nc "$results/xnewell.wasm" | base64 -w 0 && printf '</script>\n'
-  printf '<script>' && cat "$results/xnewell.js" && printf '</script>\n'
+  printf '<script type="text/plain" id="js">' && cat "$results/xnewell.js" && printf '</script>\n'
   sed '1,/^PROGRAM$/d' "$page"
 } >"$results/xnewell.html"
 say "build/browser/xnewell.html: $(stat -c %s "$results/xnewell.html") bytes, $(gzip -9c "$results/xnewell.html" | wc -c) packed"

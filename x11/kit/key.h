@@ -30,6 +30,7 @@ struct Key {
   constexpr Key() = default;
   constexpr Key(NamedKey n, char l = 0, bool s = false) : name{n}, letter{l}, shift{s} {}
   constexpr Key(char l) : letter{l} {}
+  bool operator==(const Key&) const = default;
 
   /// True if both are the same key. Shift does not count: a letter has it already, and with a named key it
   /// only means "ten times as far".

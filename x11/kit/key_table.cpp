@@ -97,8 +97,8 @@ std::vector<Legend> legendOf(const KeyTable& table) {
     if (row.legend.empty()) continue;
     auto entry = std::ranges::find(all, row.legend, &Legend::does);
     if (entry == all.end()) entry = all.insert(entry, {{}, row.legend});
-    for (const Key& key : row.keys) entry->keys.push_back(capOf(key));
-    if (row.keys.empty()) entry->keys.push_back(row.gesture);
+    entry->keys.insert(entry->keys.end(), row.keys.begin(), row.keys.end());
+    if (row.keys.empty()) entry->gesture = row.gesture;
   }
   return all;
 }

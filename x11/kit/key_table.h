@@ -38,10 +38,10 @@ bool pressIn(const KeyTable& table, const Key& key, Prompt& prompt);
 /// rows, and so are rows that have no key left.
 void append(KeyTable& table, KeyTable more);
 
-/// An entry of the window's last line: key caps, and what they do.
+/// An entry of the window's last line: key caps or a gesture of the pointer, and what they do.
 struct Legend {
-  std::vector<std::string> keys;
-  std::string does;
+  std::vector<Key> keys;
+  std::string does, gesture = {};
   bool operator==(const Legend&) const = default;
 };
 /// The entries of the last line, in the table's order. Rows with the same words share an entry.

@@ -350,7 +350,7 @@ void TradeBench::draw(Painter paint, const Desk& desk) {
 namespace {
 
 constexpr double kBetweenNews = 150;  // ms
-constexpr double kAtOnce = 3;         // seconds
+constexpr double kAtOnce = 10;        // seconds
 
 }  // namespace
 

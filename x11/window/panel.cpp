@@ -1,6 +1,8 @@
 #include "x11/window/panel.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "shading/color/font.h"
 #include "x11/drawing/pen.h"
@@ -70,36 +72,46 @@ void drawTabs(Pen& pen, const Layout& at, const PanelState& state) {
   pen.softRight(at.width - kMargin, baseline, isPath ? endOf(title, room) : beginningOf(title, room));
 }
 
-std::optional<Direction> arrowOf(std::string_view key) {
-  if (key == "<") return Direction::Left;
-  if (key == ">") return Direction::Right;
-  if (key == "^") return Direction::Up;
-  if (key == "v") return Direction::Down;
+std::optional<Direction> arrowOf(const Key& key) {
+  constexpr std::array kArrows{
+      std::pair{NamedKey::Left, Direction::Left}, std::pair{NamedKey::Right, Direction::Right},
+      std::pair{NamedKey::Up, Direction::Up}, std::pair{NamedKey::Down, Direction::Down}};
+  for (const auto& [name, direction] : kArrows)
+    if (key.name == name) return direction;
   return std::nullopt;
 }
 
 int widthOf(const Legend& legend) {
   int width = textWidth(legend.does) + 12;
-  for (const std::string_view key : legend.keys)
-    width += (arrowOf(key) ? kKeyCap : std::max(kKeyCap, textWidth(key) + 9)) + 2;
+  const auto add = [&](int letters) { width += std::max(kKeyCap, letters) + 2; };
+  for (const Key& key : legend.keys) add(arrowOf(key) ? 0 : textWidth(capOf(key)) + 9);
+  if (!legend.gesture.empty()) add(textWidth(legend.gesture) + 9);
   return width;
 }
 
 /// From x to the right. Entries that do not fit are left out, but never the last one.
-void drawLegend(Pen& pen, const Layout& at, int x, int y, const std::vector<Legend>& legends) {
+std::vector<CapPlace> drawLegend(Pen& pen, const Layout& at, int x, int y,
+                                 const std::vector<Legend>& legends) {
+  constexpr int kReach = 4;  // a finger is less exact than a cap is high
+  std::vector<CapPlace> caps;
   const int last = legends.empty() ? 0 : widthOf(legends.back());
   for (const Legend& legend : legends) {
     const bool isLast = &legend == &legends.back();
     if (!isLast && x + widthOf(legend) + last > at.width - kMargin) continue;
-    for (const std::string_view key : legend.keys) {
+    for (const Key& key : legend.keys) {
       const std::optional<Direction> arrow = arrowOf(key);
-      x += (arrow ? pen.arrow(x, y - 11, *arrow) : pen.key(x, y - 11, key)) + 2;
+      const int width = arrow ? pen.arrow(x, y - 11, *arrow) : pen.key(x, y - 11, capOf(key));
+      caps.push_back({{x, y - 11 - kReach, width + 2, kKeyCap + 2 * kReach}, key});
+      x += width + 2;
     }
+    if (!legend.gesture.empty()) x += pen.key(x, y - 11, legend.gesture) + 2;
     x = pen.soft(x + 4, y, legend.does) + 12;
+    if (legend.keys.size() == 1) caps.back().place.width = x - 6 - caps.back().place.x;
   }
+  return caps;
 }
 
-void drawTyped(Pen& pen, const Layout& at, const Typed& typed) {
+std::vector<CapPlace> drawTyped(Pen& pen, const Layout& at, const Typed& typed) {
   const int y = at.status.y + 15;
   int x = pen.ink(kMargin, y, typed.asks + ": ");
   // A long text shows its end, where it grows. A complaint also shows its end, which says what is wrong.
@@ -108,15 +120,14 @@ void drawTyped(Pen& pen, const Layout& at, const Typed& typed) {
   x = pen.bold(x, y, endOf(typed.text, std::max(60, all - textWidth(complaint))));
   pen.paint.fillRect({x + 1, y - 10, 7, 13}, pen(Cell::Ink));
   if (!complaint.empty()) pen.paint.text(x + 26, y, complaint, pen(Cell::Alarm));
-  std::vector<Legend> legend{{{"Return"}, "accept"}, {{"Esc"}, "cancel"}};
-  if (typed.offers) legend.insert(legend.begin() + 1, {{"^", "v"}, "the built-in scenes"});
-  if (at.low)
-    drawLegend(pen, at, x + textWidth(complaint) + 36, y, legend);
-  else
-    drawLegend(pen, at, kMargin, y + 18, legend);
+  std::vector<Legend> legend{{{NamedKey::Return}, "accept"}, {{NamedKey::Escape}, "cancel"}};
+  if (typed.offers)
+    legend.insert(legend.begin() + 1, {{NamedKey::Up, NamedKey::Down}, "the built-in scenes"});
+  return at.low ? drawLegend(pen, at, x + textWidth(complaint) + 36, y, legend)
+                : drawLegend(pen, at, kMargin, y + 18, legend);
 }
 
-void drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
+std::vector<CapPlace> drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
   pen.paint.fillRect(at.status, pen(Cell::Panel));
   pen.rule(0, at.status.y, at.width);
   if (state.typed) return drawTyped(pen, at, *state.typed);
@@ -136,7 +147,7 @@ void drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
   if (at.low) return drawLegend(pen, at, end + 18, y, state.legend);
   if (end + 18 + textWidth(state.visual) <= at.width - kMargin)
     pen.softRight(at.width - kMargin, y, state.visual);
-  drawLegend(pen, at, kMargin, y + 18, state.legend);
+  return drawLegend(pen, at, kMargin, y + 18, state.legend);
 }
 
 constexpr int kShadow = 4;
@@ -224,17 +235,20 @@ std::vector<Rect> drawnOverPicture(const Layout& at, const PanelState& state) {
   return parts;
 }
 
-void drawPanel(Painter paint, const Layout& at, const PanelState& state, const CellPlan& plan) {
+std::vector<CapPlace> drawPanel(Painter paint, const Layout& at, const PanelState& state,
+                                const CellPlan& plan) {
   Pen pen{paint, plan};
+  std::vector<CapPlace> caps;
   if (at.roomy) {
     drawTabs(pen, at, state);
     pen.rule(0, at.strip.y, at.width);
     drawColorStrip(pen.paint, at.strip, plan, state.use, state.words, at.compact, state.inspected);
-    drawStatus(pen, at, state);
+    caps = drawStatus(pen, at, state);
   } else {
     pen.paint.text(8, 16, noRoom(at), plan[Cell::WellText]);
   }
   if (!state.help.empty()) drawHelp(pen, at, state.help);
+  return caps;
 }
 
 }  // namespace xnewell

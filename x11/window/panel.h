@@ -37,10 +37,17 @@ struct PanelState {
 /// The tab under the pointer.
 [[nodiscard]] std::optional<View> tabAt(const Layout& layout, int x, int y);
 
+/// A key cap of the last line, with the words beside it if they are its own. A click there presses the key.
+struct CapPlace {
+  Rect place;
+  Key key;
+};
+
 /// Draws the bands of a window that has room for them, and what lies over the view: the list of keys, or the
 /// note that the window is too small. What it draws does not depend on the table's hue or bits, so a new hue
-/// needs no redraw.
-void drawPanel(Painter paint, const Layout& layout, const PanelState& state, const CellPlan& plan);
+/// needs no redraw. Returns the key caps of the last line.
+std::vector<CapPlace> drawPanel(Painter paint, const Layout& layout, const PanelState& state,
+                                const CellPlan& plan);
 
 /// A note over the middle of a window of any size while the program is busy drawing. busyBox() is its place
 /// in pixels, and drawBusyBox() draws it.

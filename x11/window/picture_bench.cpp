@@ -322,9 +322,9 @@ void PictureBench::drawCaption(Painter paint, const Desk& desk) {
   const int end = pen.paint.text(x, y, inexact, desk.plan[Cell::Alarm]);
   if (at_.compact || inexact.empty() || desk.coarse) return;
   int cap = end + 18;
-  for (const Legend& way : {Legend{{"O"}, "next order"}, Legend{{"5"}, "beside Newell"}}) {
-    if (cap + 20 + textWidth(way.does) > x + at_.picture.width) break;
-    cap = pen.soft(cap + pen.key(cap, y - 11, way.keys.front()) + 5, y, way.does) + 12;
+  for (const auto& [key, does] : {std::pair{"O", "next order"}, std::pair{"5", "beside Newell"}}) {
+    if (cap + 20 + textWidth(does) > x + at_.picture.width) break;
+    cap = pen.soft(cap + pen.key(cap, y - 11, key) + 5, y, does) + 12;
   }
 }
 

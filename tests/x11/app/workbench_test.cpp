@@ -39,6 +39,30 @@ TEST(Workbench, HueAndBitsAreColoursAlone) {
   EXPECT_NE(b.palette(), palette);
 }
 
+// A click on a key cap of the last line, or on the words beside it, is that key: fingers have no others.
+TEST(Workbench, TheLastLineIsAKeyboard) {
+  for (const int unit : {1, 2}) {
+    ReadyWorkbench b{{}, 1024 * unit, 768 * unit};
+    b.scale(unit);
+    b.finish();
+    const auto click = [&](const char* words, int right) {
+      const std::vector<glm::ivec2> at = findText(b.image(), words, b.plan()[Cell::Soft], unit);
+      ASSERT_FALSE(at.empty()) << words;
+      EXPECT_FALSE(b.grab(at.back().x + right * unit, at.back().y + 6 * unit));
+      b.settle();
+      b.finish();
+    };
+    click("all keys", 20);
+    EXPECT_FALSE(b.panel().help.empty());
+    click("all keys", -10);  // the cap before the words
+    EXPECT_TRUE(b.panel().help.empty());
+    b.does({'w'});
+    EXPECT_TRUE(b.isAsking());
+    click("cancel", 3);
+    EXPECT_FALSE(b.isAsking());
+  }
+}
+
 // Table, shades and I0 change cells and indices. Then the window looks like a fresh start with them.
 TEST(Workbench, TableChangesEqualAFreshStart) {
   ReadyWorkbench b;

@@ -62,7 +62,8 @@ TEST(KeyTable, SaysWhatItDoes) {
                        {{'+'}, "zoom", "nearer", {}, {}, "wheel"},
                        {{'j'}, "step", "a long step"}};
   EXPECT_EQ(legendOf(table),
-            (std::vector<Legend>{{{"<", ">", "j"}, "step"}, {{"drag"}, "turn"}, {{"+"}, "zoom"}}));
+            (std::vector<Legend>{
+                {{NamedKey::Left, NamedKey::Right, 'j'}, "step"}, {{}, "turn", "drag"}, {{'+'}, "zoom"}}));
   EXPECT_EQ(helpOf(table), (std::vector<HelpLine>{{"arrows", "a step"},
                                                   {"g PgUp", "go"},
                                                   {"drag", "turn it"},

@@ -1,4 +1,4 @@
-#include "x11/browser/write_page.h"
+#include "x11/command/write_page.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -12,8 +12,8 @@
 #include "geometry/files/input_file.h"
 #include "geometry/files/output_file.h"
 #include "geometry/files/text_file.h"
-#include "x11/browser/address.h"
 #include "x11/homework/html.h"
+#include "x11/options/address.h"
 #include "x11/options/shell_words.h"
 
 namespace xnewell {

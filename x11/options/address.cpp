@@ -1,4 +1,4 @@
-#include "x11/browser/address.h"
+#include "x11/options/address.h"
 
 #include <algorithm>
 #include <array>
@@ -60,7 +60,7 @@ std::vector<std::string> argumentsOf(std::string_view address) {
 }
 
 std::string addressOf(std::string_view command) {
-  constexpr std::array<std::string_view, 3> kOfThePicture{"-o", "--size", "--whole-window"};
+  constexpr std::array<std::string_view, 4> kOfThePicture{"-o", "--size", "--scale", "--whole-window"};
   const std::optional<std::vector<std::string>> words = wordsOf(command);
   if (!words || words->size() < 2) return "";
   const bool atPixel =
@@ -71,8 +71,8 @@ std::string addressOf(std::string_view command) {
     const bool option = word.starts_with('-'), command1 = k == 1 && isCommand(word);
     const bool takes = option && word.find('=') == word.npos && k + 1 < words->size() &&
                        !(*words)[k + 1].starts_with("--") && (*words)[k + 1] != "-o";
-    const bool left =
-        std::ranges::find(kOfThePicture, word) != kOfThePicture.end() && !(atPixel && word == "--size");
+    const bool left = std::ranges::find(kOfThePicture, word) != kOfThePicture.end() &&
+                      !(atPixel && (word == "--size" || word == "--scale"));
     if (!left && !(command1 && word != "lesson" && word != "lecture")) {
       address += address.empty() ? "" : "&";
       const std::size_t equals = std::min(option ? word.find('=') : word.npos, word.size());

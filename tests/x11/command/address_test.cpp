@@ -1,4 +1,4 @@
-#include "x11/browser/address.h"
+#include "x11/options/address.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include "geometry/files/output_file.h"
 #include "geometry/files/text_file.h"
 #include "tests/support/temporary_folder.h"
-#include "x11/browser/write_page.h"
+#include "x11/command/write_page.h"
 #include "x11/options/options.h"
 #include "x11/options/shell_words.h"
 
@@ -54,6 +54,7 @@ TEST(Address, IsThatOfACommand) {
             "teapot&size=1024x768&view=pixel&pixel=288,158&shade=phong");
   EXPECT_EQ(addressOf("xnewell draw cycle --size 100x80 --dither --eye=-3,4,9 -o picture.png"),
             "cycle&dither&eye=-3,4,9");
+  EXPECT_EQ(addressOf("xnewell snapshot teapot --size 1600x1080 --scale 2"), "teapot");
   EXPECT_EQ(addressOf("xnewell lesson 'my own.json' --step 2"), "lesson&my%20own.json&step=2");
   EXPECT_EQ(addressOf("xnewell snapshot teapot --beside 'order=none shade=phong'"),
             "teapot&beside=order%3Dnone%20shade%3Dphong");
