@@ -22,7 +22,7 @@ std::string_view wordOf(const RunStep& step) {
 }
 
 void put(Json& json, const std::string& key, const RunPolygon& polygon) {
-  if (polygon.id < 0) return;
+  if (polygon.id == RunPolygon::kNone) return;
   if (polygon.name.empty()) {
     json[key] = polygon.id;
   } else {
@@ -40,8 +40,9 @@ std::string textOf(const Json& json, const std::string& key) {
 }
 
 int numberOf(const Json& value, const std::string& key) {
-  if (!value.is_number_integer() || value < 0 || value > std::numeric_limits<int>::max())
-    throw std::runtime_error{'"' + key + "\" is a whole number from 0"};
+  using Int = std::numeric_limits<int>;
+  if (!value.is_number_integer() || value < Int::min() || value > Int::max())
+    throw std::runtime_error{'"' + key + "\" is a whole number, and no name"};
   return value.get<int>();
 }
 
@@ -56,7 +57,8 @@ RunPolygon polygonOf(const Json& json, const std::string& key) {
   } else {
     polygon.id = numberOf(*at, key);
   }
-  if (const auto outline = json.find(key + "_outline"); outline != json.end())
+  const auto outline = json.find(key + "_outline");
+  if (outline != json.end() && (!outline->is_array() || outline->size() > 2))  // with two corners it is empty
     polygon.outline = outlineOf(*outline, key + "_outline");
   if (const auto shade = json.find(key + "_shade"); shade != json.end()) {
     const auto isFinite = [](const Json& v) { return v.is_number() && std::isfinite(v.get<double>()); };
@@ -87,8 +89,6 @@ RunStep stepOf(const Json& json) {
     return step;
   }
   step.Q = polygonOf(json, "Q");
-  if (step.Q.id == step.P.id && step.Q.name.empty() == step.P.name.empty())
-    throw std::runtime_error{"P and Q are the same polygon"};
   if (step.kind == Event::Kind::Split) {
     step.behind = polygonOf(json, "behind");
     step.inFront = polygonOf(json, "in_front");

@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <glm/vec2.hpp>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -19,9 +20,10 @@ namespace xnewell {
 /// A polygon of a line. A program names faces by their numbers in the scene, and pieces by numbers of its
 /// own. trace names each by its place among the picture's polygons, and in words.
 struct RunPolygon {
-  std::int64_t id = -1;                  ///< -1: none
+  static constexpr std::int64_t kNone = std::numeric_limits<std::int64_t>::min();
+  std::int64_t id = kNone;               ///< a program may write any
   std::string name = {};                 ///< "" for a program's number
-  std::vector<glm::dvec2> outline = {};  ///< pixels; empty if it is not told
+  std::vector<glm::dvec2> outline = {};  ///< pixels; empty if it is not told, or has no area
   /// What flat shading has: normal, N.L and cell.
   std::optional<std::array<double, 5>> shade = {};
 };

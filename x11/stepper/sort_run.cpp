@@ -99,8 +99,8 @@ Verdict SortRun::verdict() const {
 
 std::string SortRun::number(int id) const {
   const int polygon = named_ ? named_->polygonOf(id) : -1;
-  const std::int64_t own = polygon < 0 ? -1 : (*named_)[polygon].own;
-  return (own < 0 ? "" : std::to_string(own) + '=') + fragments().number(id);
+  const auto own = polygon < 0 ? std::nullopt : (*named_)[polygon].own;
+  return (own ? std::to_string(*own) + '=' : "") + fragments().number(id);
 }
 
 std::vector<int> SortRun::waiting() const {

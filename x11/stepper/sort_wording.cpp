@@ -77,8 +77,12 @@ constexpr std::array<std::string_view, kFalsehoods.size()> kWrong{"The answer is
                                                                   "The pieces are exchanged.",
                                                                   "The pieces are not those of this plane.",
                                                                   "The pieces do not cover it once.",
+                                                                  "P has another outline in the scene.",
+                                                                  "This number is another polygon's.",
                                                                   "The shading is not copied.",
                                                                   "P is not there any more.",
+                                                                  "There is no such polygon.",
+                                                                  "P and Q are the same polygon.",
                                                                   "A polygon is lost."};
 
 std::string_view answerText(Verdict verdict) { return kAnswers[static_cast<std::size_t>(verdict)]; }

@@ -45,6 +45,7 @@ TEST(JudgeRun, LegalChoicesAreRight) {
       ++ended;
       const RunReport report = judgeRun(picture, RunFile{file});
       ASSERT_TRUE(report.wrong.empty()) << name << ' ' << seed << ": " << toldOf(report);
+      ASSERT_EQ(report.untested, 0) << name << ' ' << seed;
     }
   }
   EXPECT_GE(ended, 400);
@@ -98,6 +99,7 @@ TEST(JudgeRun, OwnRunsAreRight) {
       out.close();
       const RunReport report = judgeRun(picture, RunFile{folder.file("run.jsonl")});
       EXPECT_TRUE(report.wrong.empty()) << scene.name << ' ' << textbook << ": " << toldOf(report);
+      EXPECT_EQ(report.untested, 0) << scene.name << ' ' << textbook;
     }
 }
 
