@@ -757,6 +757,9 @@ class RunJudge {
 }  // namespace
 
 RunReport judgeRun(const Picture& picture, const RunFile& run) {
+  if (const std::string& scene = picture.scene().name; !run.isOf(scene))
+    throw ParseError{run.name(), 1,
+                     "a run of the scene " + inQuotes(run.scene()) + ", and this one is " + inQuotes(scene)};
   RunJudge judge{picture};
   int steps = 0;
   run.forEach([&](const RunStep& step) { judge.step(step), ++steps; });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "geometry/files/text_file.h"
 #include "shading/diagnose/paint_steps.h"
@@ -147,7 +148,12 @@ RunFile::RunFile(const std::string& file) : name_{file}, text_{readTextFile(file
   forEachJsonLine(std::string_view{text_}.substr(0, text_.find('\n')), name_, kExample,
                   [&](const Json& json, int) {
                     if (json.contains("size")) size_ = pictureSizeOf(json["size"]);
+                    if (json.contains("scene")) scene_ = textOf(json, "scene");
                   });
+}
+
+bool RunFile::isOf(const std::string& scene) const {
+  return scene_.empty() || std::filesystem::path{scene_}.stem() == std::filesystem::path{scene}.stem();
 }
 
 std::size_t RunFile::lines() const { return static_cast<std::size_t>(std::ranges::count(text_, '\n')) + 1; }

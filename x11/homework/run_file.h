@@ -62,12 +62,15 @@ class RunFile {
   [[nodiscard]] std::size_t lines() const;
   /// What the first line says of the picture.
   [[nodiscard]] std::optional<glm::ivec2> size() const { return size_; }
+  /// True unless the first line names another scene; where its file lies does not count.
+  [[nodiscard]] bool isOf(const std::string& scene) const;
+  [[nodiscard]] const std::string& scene() const { return scene_; }  ///< that it names; or else ""
   /// Lines that only tell of the run are left out. @throws ParseError for what is no such line, and for a
   /// std::runtime_error of `use`
   void forEach(const std::function<void(const RunStep&)>& use) const;
 
  private:
-  std::string name_, text_;
+  std::string name_, text_, scene_;
   std::optional<glm::ivec2> size_;
 };
 

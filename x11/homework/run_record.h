@@ -125,6 +125,8 @@ class NamedRun {
   [[nodiscard]] Polygon& operator[](int polygon) { return polygons_[polygon]; }
   [[nodiscard]] const Polygon& operator[](int polygon) const { return polygons_[polygon]; }
   [[nodiscard]] int polygons() const { return static_cast<int>(polygons_.size()); }
+  /// `face 4 lid`: the number and the part, as the lists of the window have them.
+  [[nodiscard]] std::string nameOfFace(int face) const;
   [[nodiscard]] int faces() const { return faces_; }
   [[nodiscard]] int polygonOfFace(int number) { return polygon({.id = number}); }
   /// The polygon that a fragment is, or is a part of; -1 if the run does not speak of it.
@@ -138,8 +140,6 @@ class NamedRun {
 
  private:
   int add(Polygon polygon);
-  /// `face 4 lid`: the number and the part, as the lists of the window have them.
-  [[nodiscard]] std::string nameOfFace(int face) const;
   /// The polygon that has this number now; -1 if there is none.
   [[nodiscard]] int find(const RunPolygon& named);
   [[nodiscard]] int polygon(const RunPolygon& named);

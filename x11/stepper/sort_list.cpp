@@ -240,8 +240,7 @@ void drawRows(SortPen& pen, const Axis& axis, const Rows& rows) {
     const std::string number = fitting(pen.run.number(row.id), 54);
     const int end = std::max(at.x + 54, at.x + 20 + textWidth(number));
     pen.paint.textRight(end, y, number, pen(cell), voice);
-    pen.paint.text(end + 8, y, fitting(pen.run.fragments().part(row.id), words.x + words.width - end - 8),
-                   pen(cell));
+    pen.paint.text(end + 8, y, fitting(pen.run.part(row.id), words.x + words.width - end - 8), pen(cell));
     drawBar(pen, axis, row, y);
     y += pen.at.line;
   }

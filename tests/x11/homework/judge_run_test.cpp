@@ -93,7 +93,7 @@ TEST(JudgeRun, OwnRunsAreRight) {
       const Picture picture = pictureOf(scene.name);
       if (textbook && picture.snapped().faces.size() > 400) continue;
       Options options;
-      options.quick = !textbook;
+      options.quick = !textbook, options.scene = scene.name;
       std::ofstream out{folder.file("run.jsonl")};
       printTrace(options, picture, recordedRun(options, picture), out);
       out.close();

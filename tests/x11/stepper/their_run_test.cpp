@@ -79,6 +79,7 @@ TEST(TheirRun, TheProgramsOwnRunIsTheSame) {
     const IndexImage ours = s.run().soFar();
     std::ofstream out{folder.file("run.jsonl")};
     Options options;
+    options.scene = scene;
     const Picture picture = s.picture().withPlanes();
     printTrace(options, picture, recordedRun(options, picture), out);
     out.close();
