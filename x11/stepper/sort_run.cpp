@@ -109,8 +109,9 @@ std::string SortRun::number(int id) const {
 
 std::string SortRun::part(int id) const {
   const NamedRun::Polygon* const polygon = named(id);
-  return polygon && polygon->own ? polygon->name.substr(polygon->name.find(" of ") + 1)
-                                 : fragments().part(id);
+  if (!polygon || !polygon->own) return fragments().part(id);
+  const std::string face = named_->nameOfFace(polygon->face);
+  return "of" + face.substr(face.find(' '));
 }
 
 std::string SortRun::name(int id) const {
