@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "depthsort/fragment_spans.h"
@@ -89,7 +90,7 @@ class RunJudge {
  private:
   void check(const RunStep& s, int P, int Q) {
     const bool areKnown = isKnown(P) && (Q < 0 || isKnown(Q));
-    if (areKnown && P == Q) tell({.kind = Falsehood::Itself, .P = P, .says = "P and Q are both " + name(P)});
+    if (areKnown && P == Q) tell({Falsehood::Itself, P, -1, "P and Q are both " + name(P)});
     const bool canBeChecked = areKnown && P != Q && s.kind;
     const auto kind = s.kind.value_or(Event::Kind::Take);
     if (kind == Event::Kind::Take && canBeChecked) take(P);
@@ -236,13 +237,12 @@ class RunJudge {
     return (static_cast<std::uint64_t>(P) << 28) | static_cast<unsigned>(Q);
   }
   [[nodiscard]] PairRecord& record(int P, int Q) { return pairs_[keyOf(P, Q)]; }
-  /// True if a test was made of the two, or of polygons that they are pieces of.
-  [[nodiscard]] bool areTested(int P, int Q) const {
-    for (int p = P; p >= 0; p = run_[p].parent)
-      for (int q = Q; q >= 0; q = run_[q].parent)
-        if (pairs_.contains(keyOf(p, q)) || pairs_.contains(keyOf(q, p))) return true;
-    return false;
+  [[nodiscard]] std::uint64_t keyOfFaces(int P, int Q) const {
+    const auto [first, last] = std::minmax(run_[P].face, run_[Q].face);
+    return keyOf(first, last);
   }
+  /// True if a test was made of the two, or of other pieces of their faces.
+  [[nodiscard]] bool areTested(int P, int Q) const { return testedFaces_.contains(keyOfFaces(P, Q)); }
 
   // The steps.
 
@@ -269,20 +269,18 @@ class RunJudge {
     NamedRun::Polygon& polygon = run_[P];
     if (polygon.state != NamedRun::Polygon::State::Unknown) return true;
     if (std::exchange(polygon.line, line_) == 0)
-      tell({.kind = Falsehood::Unknown,
-            .P = P,
-            .says = "there is no " + name(P) + ": the faces are 0 to " + std::to_string(run_.faces() - 1) +
-                    ", and no split before has made it"});
+      tell({Falsehood::Unknown, P, -1,
+            "there is no " + name(P) + ": the faces are 0 to " + std::to_string(run_.faces() - 1) +
+                ", and no split before has made it"});
     return false;
   }
   [[nodiscard]] bool isThere(int P) {
     const NamedRun::Polygon& polygon = run_[P];
     if (polygon.state == NamedRun::Polygon::State::Waiting) return true;
     const bool painted = polygon.state == NamedRun::Polygon::State::Painted;
-    tell({.kind = Falsehood::Gone,
-          .P = P,
-          .says = name(P) + (painted ? " was painted in line " : " was split in line ") +
-                  std::to_string(polygon.line)});
+    tell({Falsehood::Gone, P, -1,
+          name(P) + (painted ? " was painted in line " : " was split in line ") +
+              std::to_string(polygon.line)});
     return false;
   }
 
@@ -312,11 +310,9 @@ class RunJudge {
   }
   void tellAgain(int P, int Q) {
     if (wasTold(Falsehood::Loop, P, Q)) return;
-    tell({.kind = Falsehood::Loop,
-          .P = P,
-          .Q = Q,
-          .says = both(P, Q) +
-                  " again, and nothing was moved, painted or split since: Q goes before P, or one is split"});
+    tell({Falsehood::Loop, P, Q,
+          both(P, Q) +
+              " again, and nothing was moved, painted or split since: Q goes before P, or one is split"});
   }
   void tellRound(int P, int Q) {
     if (wasTold(Falsehood::Loop, P, Q)) return;
@@ -324,11 +320,9 @@ class RunJudge {
     int named = 0;
     for (int k = static_cast<int>(joins_.size()); k-- > joined_[Q] && named < static_cast<int>(kMostNamed);)
       if (joined_[joins_[k]] == k) round = name(joins_[k]) + " after " + round, ++named;
-    tell({.kind = Falsehood::Loop,
-          .P = P,
-          .Q = Q,
-          .says = name(Q) + " goes before " + name(P) + " again, and nothing was painted or split since: " +
-                  round + name(Q) + ". Q has a mark, so one of them is split"});
+    tell({Falsehood::Loop, P, Q,
+          name(Q) + " goes before " + name(P) + " again, and nothing was painted or split since: " + round +
+              name(Q) + ". Q has a mark, so one of them is split"});
   }
 
   void take(int P) {
@@ -341,7 +335,7 @@ class RunJudge {
   void test(int P, int Q, Test test, std::string_view outcome) {
     PairRecord& pair = record(P, Q);
     pair.made |= 1U << static_cast<int>(test);
-    ++tests_made_;
+    testedFaces_.insert(keyOfFaces(P, Q));
     if (pair.since != changes_) pair.since = changes_, pair.times = {};
     if (++pair.times[static_cast<int>(test)] == kTimesRepeated) tellAgain(P, Q);
     tested_ = {P, Q};
@@ -358,12 +352,7 @@ class RunJudge {
     else
       says += (yes ? ": the corner at " : ": the nearest corner, at ") + placeText(truth.at) + ", is " +
               pixels(truth.off) + (yes ? " beyond the plane" : " away from the plane");
-    tell({.kind = Falsehood::Answer,
-          .P = P,
-          .Q = Q,
-          .says = std::move(says),
-          .numbers = numbersOf(truth.off),
-          .test = test});
+    tell({Falsehood::Answer, P, Q, std::move(says), numbersOf(truth.off), test});
   }
   [[nodiscard]] std::string testOf(Test test, int P, int Q) const {
     return "test " + std::string{kTestRows[static_cast<std::size_t>(test)].name} + " of " + both(P, Q);
@@ -383,7 +372,7 @@ class RunJudge {
   /// Tells of a test that was not made for a pair, and that says yes whatever rounding does. False if there
   /// is none.
   bool leftOut(int P, int Q, bool alsoExchanged) {
-    if (tests_made_ == 0) return false;  // a run that does not write its tests
+    if (testedFaces_.empty()) return false;  // a run that does not write its tests
     using enum Test;
     const unsigned made = record(P, Q).made;
     for (const Test test : {Projections, PBehindQ, QInFrontOfP, QBehindP, PInFrontOfQ}) {
@@ -397,13 +386,9 @@ class RunJudge {
         if (test == Projections && (made & (1U << static_cast<int>(cheap))) == 0 &&
             truthOf(cheap, P, Q).noIsWrong)
           told = cheap;
-      tell({.kind = Falsehood::LeftOut,
-            .P = P,
-            .Q = Q,
-            .says = testOf(told, P, Q) + " is left out, and it would have told: " + std::string{asks(told)} +
-                    " Yes",
-            .numbers = numbersOf(truth.off),
-            .test = told});
+      tell({Falsehood::LeftOut, P, Q,
+            testOf(told, P, Q) + " is left out, and it would have told: " + std::string{asks(told)} + " Yes",
+            numbersOf(truth.off), told});
       return true;
     }
     return false;
@@ -428,12 +413,10 @@ class RunJudge {
 
   void tellNotFirst(int P, int Q) {
     const Nearer found = nearer(Q, P);
-    tell({.kind = Falsehood::NotFirst,
-          .P = P,
-          .Q = Q,
-          .says = name(Q) + " (Q) goes before " + name(P) + " (P), and is nearer at " + found.at.inWords() +
-                  ". " + settling(found.behind, found.front),
-          .numbers = numbersOf(found.at)});
+    tell({Falsehood::NotFirst, P, Q,
+          name(Q) + " (Q) goes before " + name(P) + " (P), and is nearer at " + found.at.inWords() + ". " +
+              settling(found.behind, found.front),
+          numbersOf(found.at)});
   }
 
   void paint(int P, int cell) {
@@ -444,10 +427,9 @@ class RunJudge {
       const int is = polygon.shade ? static_cast<int>((*polygon.shade)[4])
                                    : cellOf_.emplace(polygon.face, cell).first->second;
       if (cell != is)
-        tell({.kind = Falsehood::Shade,
-              .P = P,
-              .says = name(P) + " is painted with cell " + std::to_string(cell) + ", and its face has cell " +
-                      std::to_string(is) + ": a split copies the shading"});
+        tell({Falsehood::Shade, P, -1,
+              name(P) + " is painted with cell " + std::to_string(cell) + ", and its face has cell " +
+                  std::to_string(is) + ": a split copies the shading"});
     }
     for (const int p : parts)
       forEachSpan(scene_, run_.record.sorted(), part(p).fragment, width_, height_,
@@ -480,13 +462,11 @@ class RunJudge {
   }
   void tellEarly(int P, int Q, const Nearer& early) {
     line_ = run_[P].line;
-    tell({.kind = Falsehood::TooEarly,
-          .P = P,
-          .Q = Q,
-          .says = name(P) + " (P) is painted before " + name(Q) + " (Q), and is nearer at " +
-                  early.at.inWords() + ". " + settling(early.front, early.behind) +
-                  (areTested(P, Q) || tests_made_ == 0 ? "" : ". The run never tests them"),
-          .numbers = numbersOf(early.at)});
+    tell({Falsehood::TooEarly, P, Q,
+          name(P) + " (P) is painted before " + name(Q) + " (Q), and is nearer at " + early.at.inWords() +
+              ". " + settling(early.front, early.behind) +
+              (areTested(P, Q) || testedFaces_.empty() ? "" : ". The run never tests them"),
+          numbersOf(early.at)});
   }
 
   void split(int P, int Q) {
@@ -503,12 +483,10 @@ class RunJudge {
       beyond = isBehind.noIsWrong ? isBehind.off : isInFront.off;
     }
     if (!crosses)
-      tell({.kind = Falsehood::NoCut,
-            .P = P,
-            .Q = Q,
-            .says = name(P) + " is split by the plane of " + name(Q) + ", which does not cross it: it is " +
-                    pixels(beyond) + " away",
-            .numbers = numbersOf(beyond)});
+      tell({Falsehood::NoCut, P, Q,
+            name(P) + " is split by the plane of " + name(Q) + ", which does not cross it: it is " +
+                pixels(beyond) + " away",
+            numbersOf(beyond)});
   }
   void checkPieces(const RunStep& s, const NamedRun::Step& at) {
     if (run_[at.P].line == line_) {
@@ -518,11 +496,9 @@ class RunJudge {
     for (const int k : {0, 1}) {
       const int piece = at.pieces[k], before = at.before[k];
       if (before >= 0)
-        tell({.kind = Falsehood::Number,
-              .P = at.P,
-              .Q = before,
-              .says = "a piece of " + name(at.P) + " has the number of " + name(before) +
-                      ": each polygon has its own"});
+        tell({Falsehood::Number, at.P, before,
+              "a piece of " + name(at.P) + " has the number of " + name(before) +
+                  ": each polygon has its own"});
       checkShade(at.P, k == 0 ? s.behind : s.inFront, true);
       run_[piece].shade = run_[at.P].shade;
     }
@@ -536,11 +512,10 @@ class RunJudge {
     for (std::size_t k = 0; k < kNames.size(); ++k) {
       const double is = (*now.shade)[k], was = (*polygon.shade)[k];
       if (std::abs(is - was) <= 1e-6 * std::max(1.0, std::abs(was))) continue;
-      tell({.kind = Falsehood::Shade,
-            .P = P,
-            .says = name(P) + " has " + std::string{kNames[k]} + ' ' + significant(was, 6) + ", and " +
-                    (isPiece ? "its piece " + std::to_string(now.id) + " has " : "now ") +
-                    significant(is, 6) + ": a split copies the shading"});
+      tell({Falsehood::Shade, P, -1,
+            name(P) + " has " + std::string{kNames[k]} + ' ' + significant(was, 6) + ", and " +
+                (isPiece ? "its piece " + std::to_string(now.id) + " has " : "now ") + significant(is, 6) +
+                ": a split copies the shading"});
       return;
     }
   }
@@ -579,13 +554,15 @@ class RunJudge {
     ++outlinesTold_;
     if (off.pixels <= kOff) return true;
     ++outlinesOff_;
-    tell({.kind = Falsehood::Figure,
-          .P = P,
-          .says = name(P) + " has another outline in the scene: at " + placeText(off.at) + " it is " +
-                  pixels(off.pixels) + " off",
-          .numbers = numbersOf(off.pixels),
-          .right = {P},
-          .told = told});
+    tell({Falsehood::Figure,
+          P,
+          -1,
+          name(P) + " has another outline in the scene: at " + placeText(off.at) + " it is " +
+              pixels(off.pixels) + " off",
+          numbersOf(off.pixels),
+          {},
+          std::vector{P},
+          told});
     return false;
   }
   /// A piece that is told without an outline has no area: then P lies on one side of the plane, and the other
@@ -681,11 +658,13 @@ class RunJudge {
         });
       });
       if (waiting.empty()) waiting.push_back(run_.polygonOfFace(number));
-      tell({.kind = Falsehood::Lost,
-            .P = waiting[0],
-            .says = name(waiting[0]) + " is never painted; it shows at " + one.at.inWords(),
-            .numbers = numbersOf(one.at),
-            .right = waiting});
+      tell({Falsehood::Lost,
+            waiting[0],
+            -1,
+            name(waiting[0]) + " is never painted; it shows at " + one.at.inWords(),
+            numbersOf(one.at),
+            {},
+            waiting});
     }
   }
   [[nodiscard]] bool owns(const Region& region, int i, int j) const {
@@ -741,6 +720,7 @@ class RunJudge {
   std::vector<int> nearest_;  ///< each sample: the nearest fragment that was painted
   std::unordered_map<std::uint64_t, PairRecord> pairs_;
   std::unordered_map<std::uint64_t, Truth> known_;
+  std::unordered_set<std::uint64_t> testedFaces_;
   std::map<int, int> cellOf_;  ///< of faces: the cell of the first piece that was painted
   std::map<std::pair<int, int>, Nearer> early_;
   std::set<std::pair<int, int>> untested_;
@@ -750,7 +730,7 @@ class RunJudge {
   std::vector<int> joins_, joined_;
   int chain_ = 0, moved_ = 0;  ///< where they begin in joins_
   std::pair<int, int> tested_{-1, -1};
-  int lastTaken_ = -1, changes_ = 0, line_ = 0, tests_made_ = 0, outlinesTold_ = 0, outlinesOff_ = 0;
+  int lastTaken_ = -1, changes_ = 0, line_ = 0, outlinesTold_ = 0, outlinesOff_ = 0;
   RunReport report_;
 };
 

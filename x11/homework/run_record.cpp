@@ -162,8 +162,7 @@ int NamedRun::addPiece(int P, const RunPolygon& named, std::vector<int> parts) {
                                                         : named.name,
                                        .face = face,
                                        .parts = std::move(parts),
-                                       .own = isNumber ? std::optional{named.id} : std::nullopt,
-                                       .parent = P});
+                                       .own = isNumber ? std::optional{named.id} : std::nullopt});
 }
 
 void NamedRun::split(const RunStep& s, Step& step) {

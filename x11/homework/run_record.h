@@ -108,7 +108,6 @@ class NamedRun {
     State state = State::Waiting;
     int line = 0;                          ///< that painted or split it
     std::optional<std::int64_t> own = {};  ///< of a piece: the number that the program gave it
-    int parent = -1;
     std::optional<std::array<double, 5>> shade = {};
   };
   /// Indices of polygons; -1 for none.

@@ -11,6 +11,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/stepper.h"
 #include "x11/command/trace.h"
+#include "x11/drawing/wording.h"
 #include "x11/stepper/sort_wording.h"
 
 namespace xnewell::THIS_FILE {
@@ -67,6 +68,31 @@ TEST(TheirRun, JumpsFromOneFalseStepToTheNext) {
     }
   }
   EXPECT_GE(answers, 8);
+}
+
+// The page calls a polygon as judge does, and its numbers are pixels of their picture. A take that they have
+// not written is none of theirs.
+TEST(TheirRun, NamesAndNumbersAreThoseOfTheJudge) {
+  const TemporaryFolder folder;
+  Theirs s{"two-cards"};
+  std::ofstream{folder.file("run.jsonl")} << R"({"event": "run", "size": [800, 600]}
+{"event": "test", "P": 0, "Q": 1, "test": "1", "outcome": "yes"}
+{"event": "cut", "P": 0, "Q": 1, "behind": 12, "in_front": 13}
+{"event": "paint", "P": 12}
+)";
+  s.open(folder.file("run.jsonl"));
+  ASSERT_NE(s.picture().settings().width, 800);
+  const auto isTold = [&](int step, const std::string& words) {
+    s.goTo(step);
+    s.draw();
+    EXPECT_NE(s.words().find(words), std::string::npos) << s.words();
+  };
+  const double overlap = std::get<double>(s.report().wrong.at(0).numbers.at(0).second);
+  isTold(1, "P face 0 A, Q face 1 B");
+  isTold(1, "share " + fixed(overlap, 1) + " px");
+  isTold(2, "into piece 12 of face 0 A, behind it, and piece 13 of face 0 A, in front.");
+  isTold(3, "line 4, not taken: P piece 12 of face 0 A");
+  isTold(4, "line 4, paint: P piece 12 of face 0 A");
 }
 
 // What trace writes is the program's own run: the same is painted in the end, and no step is false.
