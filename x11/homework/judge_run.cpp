@@ -125,7 +125,10 @@ class RunJudge {
     };
     const auto [p0, p1] = reach(P);
     const auto [q0, q1] = reach(Q);
-    return truth(std::max(q0 - p1, p0 - q1) / double{kGrid});
+    Truth found = truth(std::max(q0 - p1, p0 - q1) / double{kGrid});
+    if (const int shared = std::min(p1, q1) - std::max(p0, q0); shared > 0)
+      found.off = shared / double{kGrid};
+    return found;
   }
   /// Of a gap in pixels, negative if there is none.
   [[nodiscard]] static Truth truth(double gap) { return {gap<-kRounded, gap> kRounded, std::abs(gap)}; }

@@ -141,7 +141,7 @@ Json asJson(const RunStep& step) {
 
 bool isRunFile(const std::string& file) {
   const std::string text = readTextFile(file, kMostBytes);
-  return text.find("\"event\"") < text.find('\n');
+  return text.find("\"event\"") != text.npos;
 }
 
 RunFile::RunFile(const std::string& file) : name_{file}, text_{readTextFile(file, kMostBytes)} {

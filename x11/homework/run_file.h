@@ -51,7 +51,7 @@ inline constexpr std::array<std::string_view, 5> kOutcomes{"P first", "Q first",
 
 [[nodiscard]] nlohmann::ordered_json asJson(const RunStep& step);
 
-/// True if a file of JSON lines begins as a run does, and not as a painting order.
+/// True if a file of JSON lines has events, as a run does, and not a painting order.
 [[nodiscard]] bool isRunFile(const std::string& file);
 
 class RunFile {

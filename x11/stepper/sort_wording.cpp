@@ -263,7 +263,10 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
   const auto polygons = static_cast<std::int64_t>(run.sorted().list.size());
   if (e == nullptr && run.theirs()) {
     const auto wrong = std::ssize(run.landmarks().steps(Landmark::Failed));
-    return {wrong == 0 ? "No step of this run is false."
+    const int untested = run.theirs()->report.untested;
+    return {wrong == 0 ? untested == 0 ? "No step of this run is false."
+                                       : "No step is false, but " + counted(untested, "pair") +
+                                             (untested == 1 ? " was" : " were") + " never tested."
                        : counted(wrong, "step") + " of this run " + (wrong == 1 ? "is" : "are") + " false.",
             wrong == 0
                 ? "Each step is shown beside what is right."
