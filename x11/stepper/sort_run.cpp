@@ -130,7 +130,7 @@ bool SortRun::isAdded() const {
 }
 
 double SortRun::scale() const {
-  return theirs_ ? 1.0 * theirs_->picture.settings().width / picture_.settings().width : 1.0;
+  return theirs_ ? 1.0 * theirs_->picture.settings().height / picture_.settings().height : 1.0;
 }
 
 std::vector<int> SortRun::waiting() const {

@@ -70,7 +70,7 @@ class SortRun {
   [[nodiscard]] std::string name(int id) const;
   /// True if no line of their run has this step: they have not written what they took.
   [[nodiscard]] bool isAdded() const;
-  /// The width of their picture, with this one's as the unit.
+  /// The height of their picture, with this one's as the unit: views scale by their heights.
   [[nodiscard]] double scale() const;
   /// 0 <= step <= steps().
   void goTo(int step) { replay_.goTo(step); }
