@@ -10,7 +10,8 @@
 namespace xnewell_run {
 
 /// A polygon or a piece of one. For a face of the scene `number` is its number there, from 0; to each piece
-/// give a number that no polygon has.
+/// give a number that no polygon has. The camera is the scene's, or that of judge's options; in the picture,
+/// which has the size that Run takes, x goes right and y down from the upper left corner of pixel 0,0.
 struct Polygon {
   int number;
   std::vector<double> outline;  ///< on the screen, in pixels: x, y, x, y, ...; it may be empty
@@ -20,7 +21,6 @@ struct Polygon {
 
 class Run {
  public:
-  /// The size is that of your picture.
   Run(const char* file, int width, int height) : file_(std::fopen(file, "w")) {
     if (file_) std::fprintf(file_, "{\"event\":\"run\",\"size\":[%d,%d]}\n", width, height);
   }

@@ -5,7 +5,9 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "depthsort/fragment_spans.h"
@@ -19,38 +21,22 @@
 
 namespace xnewell {
 
-/// In this order: what a run speaks of; the tests, decided exactly; the steps, each checked when it comes;
-/// the end, with what was never painted and what is independent of what; the words; the page.
+/// In this order: the tests, decided exactly; the steps, each checked when it comes; the end, with what was
+/// never painted and what is independent of what; the page.
 
 namespace {
 
 constexpr double kRounded = 1.0;         ///< pixels that outlines may be off
+constexpr double kOff = 1.5 * kRounded;  ///< pixels; a corner may be off in x and y
 constexpr double kOnPlane = 1.0 / 1024;  ///< pixels; a corner so near to a plane may be on it
 constexpr int kTimesRepeated = 3;        ///< a test that is made so often, while nothing changes, is a loop
-constexpr std::size_t kMostFound = 10'000, kMostNamed = 6;
+constexpr std::size_t kMostFound = 10'000, kMostNamed = 6, kMostKnown = 1 << 16;
 
 /// Which answers of a test are wrong. Rounding may allow both.
 struct Truth {
   bool yesIsWrong = false, noIsWrong = false;
   double off = 0;  ///< pixels from what a yes, or a no, would need
   Place at = {};   ///< of tests of planes: the corner
-};
-
-/// What was found, before it is put into words.
-struct Found {
-  Falsehood kind;
-  int line = 0;
-  int P = -1, Q = -1;  ///< polygons
-  std::optional<Test> test = {};
-  std::string_view outcome = {};
-  double off = 0;
-  Place at = {};
-  Hidden seen = {};  ///< where it shows; without the rows
-  int fragmentP = -1, fragmentQ = -1;
-  std::vector<int> round = {};  ///< polygons of a loop
-  std::vector<int> right = {};  ///< polygons that would have been right
-  std::vector<std::vector<glm::dvec2>> told = {};
-  std::string more = {};
 };
 
 double areaOf(const std::vector<glm::dvec2>& outline) {
@@ -68,18 +54,22 @@ std::vector<glm::dvec2> cornersOf(const Region& region) {
   return outline;
 }
 
+using Figures = std::vector<std::vector<glm::dvec2>>;
+
 class RunJudge {
  public:
   explicit RunJudge(const Picture& picture)
-      : picture_{picture},
-        scene_{picture.snapped()},
+      : scene_{picture.snapped()},
         width_{picture.settings().width},
         height_{picture.settings().height},
         regions_{scene_},
         run_{picture, scene_, false},
+        explainer_{picture.scene().mesh, scene_, run_.record.sorted(), true},
         visible_{visibleFaces(scene_, width_, height_)},
         shown_(visible_.size()),
-        nearest_(visible_.size(), kNothing) {}
+        nearest_(visible_.size(), kNothing) {
+    explainer_.call(Called::PAndQ);
+  }
 
   void step(const RunStep& s) {
     ++report_.steps;
@@ -89,39 +79,31 @@ class RunJudge {
   }
 
   RunReport report() {
-    for (const auto& [pair, seen] : early_) {
-      Found early = seen;
-      early.P = pair.first, early.Q = pair.second, early.line = run_[pair.first].line;
-      found_.push_back(std::move(early));
-    }
+    for (const auto& [pair, early] : early_) tellEarly(pair.first, pair.second, early);
     findLost();
-    std::ranges::stable_sort(found_, {}, [](const Found& f) { return std::pair{f.line == 0, f.line}; });
-    Explainer explainer{picture_.scene().mesh, scene_, run_.record.sorted(), true};
-    explainer.call(Called::PAndQ);
-    chooseIndependent(explainer);
+    std::ranges::stable_sort(found_, {}, [](const FalseStep& f) { return std::pair{f.line == 0, f.line}; });
+    report_.untested = static_cast<int>(untested_.size());
+    chooseIndependent();
     return std::move(report_);
   }
 
  private:
   void check(const RunStep& s, int P, int Q) {
-    switch (*s.kind) {
-      case Event::Kind::Take:
-        return take(P);
-      case Event::Kind::Compare:
-        return test(P, Q, *s.test, s.outcome);
-      case Event::Kind::Move:
-        return move(P, Q);
-      case Event::Kind::Paint:
-        return paint(P, s.cell);
-      case Event::Kind::Split:
-        return split(P, Q);
-      case Event::Kind::Void:
-        return goOn();
-      default:
-        return;
-    }
+    const bool areKnown = isKnown(P) && (Q < 0 || isKnown(Q));
+    if (areKnown && P == Q) tell({Falsehood::Itself, P, -1, "P and Q are both " + name(P)});
+    const bool canBeChecked = areKnown && P != Q && s.kind;
+    const auto kind = s.kind.value_or(Event::Kind::Take);
+    if (kind == Event::Kind::Take && canBeChecked) take(P);
+    if (kind == Event::Kind::Compare && canBeChecked) test(P, Q, *s.test, s.outcome);
+    if (kind == Event::Kind::Move && canBeChecked) move(P, Q);
+    if (kind == Event::Kind::Paint && canBeChecked) paint(P, s.cell);
+    if (kind == Event::Kind::Split && canBeChecked) split(P, Q);
+    if (kind == Event::Kind::Paint || kind == Event::Kind::Split) leave(P);
+    if (kind == Event::Kind::Paint || kind == Event::Kind::Split || kind == Event::Kind::Void) goOn();
   }
 
+  [[nodiscard]] const std::string& name(int polygon) const { return run_[polygon].name; }
+  [[nodiscard]] std::string both(int P, int Q) const { return name(P) + " (P) and " + name(Q) + " (Q)"; }
   [[nodiscard]] const RunRecord::Part& part(int id) const { return run_.record[id]; }
   [[nodiscard]] const SnappedFace& face(int id) const { return run_.record.face(id); }
   template <class Use>
@@ -143,7 +125,10 @@ class RunJudge {
     };
     const auto [p0, p1] = reach(P);
     const auto [q0, q1] = reach(Q);
-    return truth(std::max(q0 - p1, p0 - q1) / double{kGrid});
+    Truth found = truth(std::max(q0 - p1, p0 - q1) / double{kGrid});
+    if (const int shared = std::min(p1, q1) - std::max(p0, q0); shared > 0)
+      found.off = shared / double{kGrid};
+    return found;
   }
   /// Of a gap in pixels, negative if there is none.
   [[nodiscard]] static Truth truth(double gap) { return {gap<-kRounded, gap> kRounded, std::abs(gap)}; }
@@ -173,16 +158,35 @@ class RunJudge {
     }
     return found;
   }
-  [[nodiscard]] int samplesNearer(int P, int Q, Found* first = nullptr) const {
-    int samples = 0;
+  /// The samples where a fragment hides another one, without the rows, and the two at the first of them.
+  struct Nearer {
+    Hidden at = {};
+    int front = -1, behind = -1;
+  };
+  [[nodiscard]] Nearer nearer(int P, int Q) const {
+    Nearer all;
     forEachPair(P, Q, [&](int p, int q) {
       const Hidden here = run_.record.hidden(p, q);
-      if (samples == 0 && here.samples > 0 && first)
-        first->seen = {.i = here.i, .j = here.j}, first->fragmentP = q, first->fragmentQ = p;
-      samples += here.samples;
+      if (all.at.samples == 0 && here.samples > 0) all = {{.i = here.i, .j = here.j}, p, q};
+      all.at.samples += here.samples;
     });
-    if (first) first->seen.samples = samples;
-    return samples;
+    return all;
+  }
+  [[nodiscard]] static page::Object numbersOf(const Hidden& at) {
+    return {{"samples", at.samples}, {"pixel", page::List{at.i, at.j}}};
+  }
+  /// The test that settles a pair of fragments, in words.
+  [[nodiscard]] std::string settling(int p, int q) {
+    const Relation r = run_.record.compare(p, q);
+    std::string words = explainer_.sentence({.kind = Event::Kind::Compare,
+                                             .test = r.test,
+                                             .verdict = r.verdict,
+                                             .contact = r.contact,
+                                             .P = p,
+                                             .Q = q},
+                                            r.test);
+    if (words.ends_with('.')) words.pop_back();
+    return words;
   }
   /// True if P may be painted before Q, whatever rounding says.
   [[nodiscard]] bool mayGoFirst(int P, int Q) {
@@ -193,21 +197,20 @@ class RunJudge {
     });
     return may;
   }
+  /// A run may make the same test again and again.
   [[nodiscard]] Truth truthOf(Test test, int P, int Q) {
+    if (known_.size() > kMostKnown) known_.clear();
+    const auto [at, isNew] = known_.try_emplace(keyOf(P, Q) * kTests + static_cast<unsigned>(test));
+    return isNew ? at->second = decided(test, P, Q) : at->second;
+  }
+  [[nodiscard]] Truth decided(Test test, int P, int Q) {
     if (run_[P].parts.empty() || run_[Q].parts.empty()) return {};
     if (test == Test::XExtents) return apart(P, Q, &ScreenBox::x0, &ScreenBox::x1);
     if (test == Test::YExtents) return apart(P, Q, &ScreenBox::y0, &ScreenBox::y1);
     if (test == Test::Overlap) {
-      std::optional<Truth>& known = record(P, Q).overlap;
-      if (known) return *known;
-      Truth found;
-      if (mayGoFirst(P, Q)) {
-        found.noIsWrong = !mayGoFirst(Q, P) && samplesNearer(Q, P) > 0;
-      } else {
-        found.off = samplesNearer(P, Q);
-        found.yesIsWrong = found.off > 0;
-      }
-      return *(known = found);
+      if (mayGoFirst(P, Q)) return {.noIsWrong = !mayGoFirst(Q, P) && nearer(Q, P).at.samples > 0};
+      const int samples = nearer(P, Q).at.samples;
+      return {.yesIsWrong = samples > 0, .off = 1.0 * samples};
     }
     Truth all{.noIsWrong = true};
     forEachPair(P, Q, [&](int p, int q) {
@@ -232,70 +235,147 @@ class RunJudge {
     unsigned made = 0;  ///< bits of tests
     int since = -1;     ///< the changes when these were counted
     std::array<std::uint8_t, kTests> times{};
-    std::optional<Truth> overlap;  ///< of test 6, which takes long
   };
-  [[nodiscard]] PairRecord& record(int P, int Q) {
-    return pairs_[(static_cast<std::uint64_t>(P) << 32) | static_cast<unsigned>(Q)];
+  [[nodiscard]] static std::uint64_t keyOf(int P, int Q) {  // a file has less than 2^28 polygons
+    return (static_cast<std::uint64_t>(P) << 28) | static_cast<unsigned>(Q);
   }
+  [[nodiscard]] PairRecord& record(int P, int Q) { return pairs_[keyOf(P, Q)]; }
+  [[nodiscard]] std::uint64_t keyOfFaces(int P, int Q) const {
+    const auto [first, last] = std::minmax(run_[P].face, run_[Q].face);
+    return keyOf(first, last);
+  }
+  /// True if a test was made of the two, or of other pieces of their faces.
+  [[nodiscard]] bool areTested(int P, int Q) const { return testedFaces_.contains(keyOfFaces(P, Q)); }
 
   // The steps.
 
-  void tell(Found found) {
-    found.line = line_;
-    if (found_.size() < kMostFound) found_.push_back(std::move(found));
+  /// True if there is no need for words: the same was told before, and is told again, or too much was.
+  [[nodiscard]] bool wasTold(Falsehood kind, int P, int Q, std::optional<Test> test = {}) {
+    if (found_.size() >= kMostFound) return true;
+    const auto at = told_.find({kind, P, Q, test});
+    if (at == told_.end()) return false;
+    FalseStep again = found_[at->second];
+    again.line = line_;
+    found_.push_back(std::move(again));
+    return true;
+  }
+  void tell(FalseStep step) {
+    if (found_.size() >= kMostFound) return;
+    told_.emplace(std::tuple{step.kind, step.P, step.Q, step.test}, found_.size());
+    step.line = line_;
+    step.nameP = name(step.P);
+    if (step.Q >= 0) step.nameQ = name(step.Q);
+    found_.push_back(std::move(step));
+  }
+  /// Tells it once of each polygon that there is none.
+  [[nodiscard]] bool isKnown(int P) {
+    NamedRun::Polygon& polygon = run_[P];
+    if (polygon.state != NamedRun::Polygon::State::Unknown) return true;
+    if (std::exchange(polygon.line, line_) == 0)
+      tell({Falsehood::Unknown, P, -1,
+            "there is no " + name(P) + ": the faces are 0 to " + std::to_string(run_.faces() - 1) +
+                ", and no split before has made it"});
+    return false;
   }
   [[nodiscard]] bool isThere(int P) {
     const NamedRun::Polygon& polygon = run_[P];
     if (polygon.state == NamedRun::Polygon::State::Waiting) return true;
     const bool painted = polygon.state == NamedRun::Polygon::State::Painted;
-    tell({.kind = Falsehood::Gone,
-          .P = P,
-          .more = (painted ? "was painted in line " : "was split in line ") + std::to_string(polygon.line)});
+    tell({Falsehood::Gone, P, -1,
+          name(P) + (painted ? " was painted in line " : " was split in line ") +
+              std::to_string(polygon.line)});
     return false;
+  }
+
+  // What was taken, and what was moved since: each with its place in joins_.
+
+  [[nodiscard]] int joined(int P) const { return P < std::ssize(joined_) ? joined_[P] : -1; }
+  [[nodiscard]] bool isInChain(int P) const { return joined(P) >= chain_; }
+  [[nodiscard]] bool isMoved(int P) const { return joined(P) >= moved_; }
+  void join(int P) {
+    joined_.resize(run_.polygons(), -1);
+    joined_[P] = static_cast<int>(joins_.size());
+    joins_.push_back(P);
+  }
+  void beginChain(int P) {
+    chain_ = static_cast<int>(joins_.size());
+    join(P);
+    moved_ = static_cast<int>(joins_.size());
+  }
+  void leave(int P) {
+    if (joined(P) >= 0) joined_[P] = -1;
   }
   /// What was moved may be moved again: the run comes nearer to its end.
   void goOn() {
     ++changes_;
-    moved_.clear();
+    moved_ = static_cast<int>(joins_.size());
     lastTaken_ = -1;
   }
-  void loop(int P, int Q, std::vector<int> round) {
-    tell({.kind = Falsehood::Loop, .P = P, .Q = Q, .round = std::move(round)});
+  void tellAgain(int P, int Q) {
+    if (wasTold(Falsehood::Loop, P, Q)) return;
+    tell({Falsehood::Loop, P, Q,
+          both(P, Q) +
+              " again, and nothing was moved, painted or split since: Q goes before P, or one is split"});
+  }
+  void tellRound(int P, int Q) {
+    if (wasTold(Falsehood::Loop, P, Q)) return;
+    std::string round;
+    int named = 0;
+    for (int k = static_cast<int>(joins_.size()); k-- > joined_[Q] && named < static_cast<int>(kMostNamed);)
+      if (joined_[joins_[k]] == k) round = name(joins_[k]) + " after " + round, ++named;
+    tell({Falsehood::Loop, P, Q,
+          name(Q) + " goes before " + name(P) + " again, and nothing was painted or split since: " + round +
+              name(Q) + ". Q has a mark, so one of them is split"});
   }
 
   void take(int P) {
     if (!isThere(P)) return;
-    if (P == lastTaken_ && tested_.first == P) loop(P, tested_.second, {});
+    if (P == lastTaken_ && tested_.first == P) tellAgain(P, tested_.second);
     lastTaken_ = P;
-    if (std::ranges::find(chain_, P) != chain_.end()) return;
-    chain_ = {P};
-    moved_.clear();
+    if (!isInChain(P)) beginChain(P);
   }
 
   void test(int P, int Q, Test test, std::string_view outcome) {
     PairRecord& pair = record(P, Q);
     pair.made |= 1U << static_cast<int>(test);
-    ++tests_made_;
+    testedFaces_.insert(keyOfFaces(P, Q));
     if (pair.since != changes_) pair.since = changes_, pair.times = {};
-    if (++pair.times[static_cast<int>(test)] == kTimesRepeated) loop(P, Q, {});
+    if (++pair.times[static_cast<int>(test)] == kTimesRepeated) tellAgain(P, Q);
     tested_ = {P, Q};
     const bool yes = outcome == "yes" || outcome == nameOf(Verdict::PFirst);
     Truth truth = truthOf(test, P, Q);
     if (outcome == nameOf(Verdict::QFirst)) truth.noIsWrong = truthOf(Test::Overlap, Q, P).yesIsWrong;
-    if (!(yes ? truth.yesIsWrong : truth.noIsWrong)) return;
-    tell({.kind = Falsehood::Answer,
-          .P = P,
-          .Q = Q,
-          .test = test,
-          .outcome = outcome,
-          .off = truth.off,
-          .at = truth.at});
+    if (!(yes ? truth.yesIsWrong : truth.noIsWrong) || wasTold(Falsehood::Answer, P, Q, test)) return;
+    std::string says = testOf(test, P, Q) + " says " + std::string{outcome} + ": " + std::string{asks(test)} +
+                       (yes ? " No" : " Yes");
+    if (test == Test::Overlap)
+      says += truth.off > 0 ? ": P is nearer at " + counted(static_cast<int>(truth.off), "sample") : "";
+    else if (test == Test::XExtents || test == Test::YExtents || test == Test::Projections)
+      says += (yes ? ": they overlap by " : ": they are apart by ") + pixels(truth.off);
+    else
+      says += (yes ? ": the corner at " : ": the nearest corner, at ") + placeText(truth.at) + ", is " +
+              pixels(truth.off) + (yes ? " beyond the plane" : " away from the plane");
+    tell({Falsehood::Answer, P, Q, std::move(says), numbersOf(truth.off), test});
+  }
+  [[nodiscard]] std::string testOf(Test test, int P, int Q) const {
+    return "test " + std::string{kTestRows[static_cast<std::size_t>(test)].name} + " of " + both(P, Q);
+  }
+  [[nodiscard]] static std::string_view asks(Test test) {
+    return test == Test::Overlap ? "is P nowhere nearer where they overlap?"
+                                 : kTestRows[static_cast<std::size_t>(test)].asks;
+  }
+  [[nodiscard]] static std::string pixels(double off) { return significant(off, 4) + " pixels"; }
+  [[nodiscard]] static std::string placeText(const Place& at) {
+    return fixed(at.x, 1) + ',' + fixed(at.y, 1);
+  }
+  [[nodiscard]] static page::Object numbersOf(double off) {
+    return off > 0 ? page::Object{{"pixels", off}} : page::Object{};
   }
 
   /// Tells of a test that was not made for a pair, and that says yes whatever rounding does. False if there
   /// is none.
   bool leftOut(int P, int Q, bool alsoExchanged) {
-    if (tests_made_ == 0) return false;  // a run that does not write its tests
+    if (testedFaces_.empty()) return false;  // a run that does not write its tests
     using enum Test;
     const unsigned made = record(P, Q).made;
     for (const Test test : {Projections, PBehindQ, QInFrontOfP, QBehindP, PInFrontOfQ}) {
@@ -309,7 +389,9 @@ class RunJudge {
         if (test == Projections && (made & (1U << static_cast<int>(cheap))) == 0 &&
             truthOf(cheap, P, Q).noIsWrong)
           told = cheap;
-      tell({.kind = Falsehood::LeftOut, .P = P, .Q = Q, .test = told, .off = truth.off});
+      tell({Falsehood::LeftOut, P, Q,
+            testOf(told, P, Q) + " is left out, and it would have told: " + std::string{asks(told)} + " Yes",
+            numbersOf(truth.off), told});
       return true;
     }
     return false;
@@ -317,22 +399,27 @@ class RunJudge {
 
   void move(int P, int Q) {
     if (!isThere(P) || !isThere(Q)) return;
-    if (moved_.contains(Q)) {
-      const auto from = std::ranges::find(chain_, Q);
-      loop(P, Q, {from, chain_.end()});
-      moved_.clear();
-    } else if (Found found{.kind = Falsehood::NotFirst, .P = P, .Q = Q};
-               !mayGoFirst(Q, P) && samplesNearer(Q, P, &found) > 0) {
-      tell(std::move(found));
+    if (isMoved(Q)) {
+      tellRound(P, Q);
+      moved_ = static_cast<int>(joins_.size());
+    } else if (truthOf(Test::Overlap, Q, P).yesIsWrong) {
+      if (!wasTold(Falsehood::NotFirst, P, Q)) tellNotFirst(P, Q);
     } else {
       leftOut(P, Q, false);
     }
-    if (std::ranges::find(chain_, P) == chain_.end()) chain_ = {P};
-    chain_.push_back(Q);
-    moved_.insert(Q);
+    if (!isInChain(P)) beginChain(P);
+    join(Q);
     ++changes_;
     lastTaken_ = -1;
     tested_ = {-1, -1};
+  }
+
+  void tellNotFirst(int P, int Q) {
+    const Nearer found = nearer(Q, P);
+    tell({Falsehood::NotFirst, P, Q,
+          name(Q) + " (Q) goes before " + name(P) + " (P), and is nearer at " + found.at.inWords() + ". " +
+              settling(found.behind, found.front),
+          numbersOf(found.at)});
   }
 
   void paint(int P, int cell) {
@@ -343,44 +430,53 @@ class RunJudge {
       const int is = polygon.shade ? static_cast<int>((*polygon.shade)[4])
                                    : cellOf_.emplace(polygon.face, cell).first->second;
       if (cell != is)
-        tell({.kind = Falsehood::Shade,
-              .P = P,
-              .more = "is painted with cell " + std::to_string(cell) + ", and its face has cell " +
-                      std::to_string(is) + ": a split copies the shading"});
+        tell({Falsehood::Shade, P, -1,
+              name(P) + " is painted with cell " + std::to_string(cell) + ", and its face has cell " +
+                  std::to_string(is) + ": a split copies the shading"});
     }
     for (const int p : parts)
       forEachSpan(scene_, run_.record.sorted(), part(p).fragment, width_, height_,
                   [&](int row, int from, int to) {
                     for (int i = from; i < to; ++i) paintSample(p, i, row);
                   });
-    std::erase(chain_, P);
-    goOn();
   }
   void paintSample(int p, int i, int j) {
     const std::size_t at = static_cast<std::size_t>(j) * width_ + i;
     const int mine = part(p).fragment.face;
     if (visible_[at] == mine) shown_[at] = true;
     const int before = nearest_[at];
+    if (before != kNothing && std::pair{before, p} != over_) {
+      over_ = {before, p};
+      const Extents &far = part(before).extents, &near = part(p).extents;
+      if (far.zFar < near.zNear && near.zFar < far.zNear &&
+          !areTested(run_.polygonOf(before), run_.polygonOf(p)))
+        untested_.emplace(run_.polygonOf(before), run_.polygonOf(p));
+    }
     if (before == kNothing ||
-        nearer(scene_.planes[face(before).plane], scene_.planes[face(p).plane], i, j) <= 0) {
+        xnewell::nearer(scene_.planes[face(before).plane], scene_.planes[face(p).plane], i, j) <= 0) {
       nearest_[at] = p;
       return;
     }
     if (checkOf(scene_, mine, part(before).fragment.face, i, j) != SampleCheck::Wrong) return;
     const std::pair pair{run_.polygonOf(before), run_.polygonOf(p)};
     if (early_.size() >= kMostFound && !early_.contains(pair)) return;
-    Found& early = early_[pair];
-    if (early.seen.samples++ == 0)
-      early = {
-          .kind = Falsehood::TooEarly, .line = 0, .seen = {1, i, j, {}}, .fragmentP = before, .fragmentQ = p};
+    Nearer& early = early_[pair];
+    if (early.at.samples++ == 0) early = {{1, i, j, {}}, before, p};
+  }
+  void tellEarly(int P, int Q, const Nearer& early) {
+    line_ = run_[P].line;
+    tell({Falsehood::TooEarly, P, Q,
+          name(P) + " (P) is painted before " + name(Q) + " (Q), and is nearer at " + early.at.inWords() +
+              ". " + settling(early.front, early.behind) +
+              (areTested(P, Q) || testedFaces_.empty() ? "" : ". The run never tests them"),
+          numbersOf(early.at)});
   }
 
   void split(int P, int Q) {
     if (!isThere(P)) return;
     // The pair that led to it; in a cycle others may be split.
     const auto [p, q] = tested_;
-    if (p >= 0 && std::pair{std::min(P, Q), std::max(P, Q)} == std::pair{std::min(p, q), std::max(p, q)})
-      leftOut(p, q, std::ranges::find(chain_, q) == chain_.end());
+    if (p >= 0 && std::minmax(P, Q) == std::minmax(p, q)) leftOut(p, q, !isInChain(q));
     bool crosses = run_[P].parts.empty() || run_[Q].parts.empty();
     double beyond = 0;
     for (const int id : crosses ? std::vector<int>{} : run_[P].parts) {
@@ -389,17 +485,24 @@ class RunJudge {
       crosses |= run_.record.crosses(id, by) || (!isBehind.noIsWrong && !isInFront.noIsWrong);
       beyond = isBehind.noIsWrong ? isBehind.off : isInFront.off;
     }
-    if (!crosses) tell({.kind = Falsehood::NoCut, .P = P, .Q = Q, .off = beyond});
-    std::erase(chain_, P);
-    goOn();
+    if (!crosses)
+      tell({Falsehood::NoCut, P, Q,
+            name(P) + " is split by the plane of " + name(Q) + ", which does not cross it: it is " +
+                pixels(beyond) + " away",
+            numbersOf(beyond)});
   }
   void checkPieces(const RunStep& s, const NamedRun::Step& at) {
     if (run_[at.P].line == line_) {
-      checkOutlines(s, at);
+      if (at.P != at.Q) checkOutlines(s, at);
       checkShade(at.P, s.P, false);
     }
-    for (const auto& [piece, told] : {std::pair{at.behind, &s.behind}, {at.inFront, &s.inFront}}) {
-      checkShade(at.P, *told, true);
+    for (const int k : {0, 1}) {
+      const int piece = at.pieces[k], before = at.before[k];
+      if (before >= 0)
+        tell({Falsehood::Number, at.P, before,
+              "a piece of " + name(at.P) + " has the number of " + name(before) +
+                  ": each polygon has its own"});
+      checkShade(at.P, k == 0 ? s.behind : s.inFront, true);
       run_[piece].shade = run_[at.P].shade;
     }
   }
@@ -412,69 +515,121 @@ class RunJudge {
     for (std::size_t k = 0; k < kNames.size(); ++k) {
       const double is = (*now.shade)[k], was = (*polygon.shade)[k];
       if (std::abs(is - was) <= 1e-6 * std::max(1.0, std::abs(was))) continue;
-      tell({.kind = Falsehood::Shade,
-            .P = P,
-            .more = "has " + std::string{kNames[k]} + ' ' + significant(was, 6) + ", and " +
-                    (isPiece ? "its piece " + std::to_string(now.id) : "now") + ' ' + significant(is, 6) +
-                    ": a split copies the shading"});
+      tell({Falsehood::Shade, P, -1,
+            name(P) + " has " + std::string{kNames[k]} + ' ' + significant(was, 6) + ", and " +
+                (isPiece ? "its piece " + std::to_string(now.id) + " has " : "now ") + significant(is, 6) +
+                ": a split copies the shading"});
       return;
     }
   }
-  /// The farthest place that one outline has and a piece has not, or the other way round. Places where both
-  /// planes may touch do not count: there the line of the cut is uncertain.
-  [[nodiscard]] double difference(const std::vector<glm::dvec2>& told, int piece, int by,
-                                  Place& where) const {
-    const std::vector<glm::dvec2> right = cornersOf(part(piece).region);
-    double most = 0;
-    const auto compare = [&](const std::vector<glm::dvec2>& from, const std::vector<glm::dvec2>& to) {
-      for (const glm::dvec2& at : from) {
-        const double off = isInside(to, at) ? 0 : std::sqrt(distanceToBorder(to, at));
-        if (off <= most) continue;
-        const auto x = std::llrint(std::clamp(at.x, -8e3, 1.6e4) * kGrid),
-                   y = std::llrint(std::clamp(at.y, -8e3, 1.6e4) * kGrid);
-        const int sign = compareDepths(scene_.planes[face(piece).plane], scene_.planes[face(by).plane], x, y);
-        if (mayTouch(scene_, face(sign > 0 ? piece : by), face(sign > 0 ? by : piece), x, y)) continue;
-        most = off, where = {at.x, at.y};
+  /// The corner of outlines that is farthest from others, but for those that may be off.
+  struct Off {
+    double pixels = 0;
+    Place at = {};
+  };
+  template <class MayBeOff>
+  [[nodiscard]] static Off farthest(const Figures& from, const Figures& to, const MayBeOff& mayBeOff) {
+    Off most;
+    for (const auto& outline : from)
+      for (const glm::dvec2& at : outline) {
+        double off = 1e300;
+        for (const auto& other : to)
+          off = isInside(other, at) ? 0 : std::min(off, std::sqrt(distanceToBorder(other, at)));
+        if (off > most.pixels && !mayBeOff(at)) most = {off, {at.x, at.y}};
       }
-    };
-    compare(told, right);
-    compare(right, told);
     return most;
   }
+  [[nodiscard]] static const Off& larger(const Off& a, const Off& b) { return a.pixels < b.pixels ? b : a; }
+  [[nodiscard]] Figures outlinesOf(int polygon) const {
+    Figures all;
+    for (const int id : run_[polygon].parts) all.push_back(cornersOf(part(id).region));
+    return all;
+  }
+  /// Outside some programs clip, and others do not.
+  [[nodiscard]] bool isInPicture(const glm::dvec2& at) const {
+    return at.x >= 0 && at.y >= 0 && at.x <= width_ && at.y <= height_;
+  }
+  [[nodiscard]] bool hasOutline(const RunStep& s, int P) {
+    const Figures told{s.P.outline}, right = outlinesOf(P);
+    if (told[0].empty() || right.empty() || part(run_[P].parts[0]).fragment.piece >= 0) return true;
+    const auto mayBeOff = [&](const glm::dvec2& at) { return !isInPicture(at); };
+    const Off off = larger(farthest(told, right, mayBeOff), farthest(right, told, mayBeOff));
+    ++outlinesTold_;
+    if (off.pixels <= kOff) return true;
+    ++outlinesOff_;
+    tell({Falsehood::Figure,
+          P,
+          -1,
+          name(P) + " has another outline in the scene: at " + placeText(off.at) + " it is " +
+              pixels(off.pixels) + " off",
+          numbersOf(off.pixels),
+          {},
+          std::vector{P},
+          told});
+    return false;
+  }
+  /// A piece that is told without an outline has no area: then P lies on one side of the plane, and the other
+  /// piece is all of it.
   void checkOutlines(const RunStep& s, const NamedRun::Step& at) {
-    const std::vector<int>&whole = run_[at.P].parts, &behinds = run_[at.behind].parts,
-          &fronts = run_[at.inFront].parts;
-    if (whole.size() != 1 || behinds.size() != 1 || fronts.size() != 1 || s.behind.outline.empty() ||
-        s.inFront.outline.empty())
-      return;
-    const int by = run_[at.Q].parts.front(), behind = behinds[0], inFront = fronts[0];
-    constexpr double kOff = 1.5 * kRounded;
-    const std::array told{s.behind.outline, s.inFront.outline};
-    const double sum = areaOf(told[0]) + areaOf(told[1]);
-    Place where, elsewhere;
-    const double off = difference(told[0], behind, by, where),
-                 other = difference(told[1], inFront, by, elsewhere);
-    if (off <= kOff && other <= kOff) return;
-    Found found{.kind = Falsehood::Plane,
-                .P = at.P,
-                .Q = at.Q,
-                .off = std::max(off, other),
-                .at = off >= other ? where : elsewhere,
-                .right = {at.behind, at.inFront},
-                .told = {told[0], told[1]}};
-    Place ignored;
-    const double all = areaOf(cornersOf(part(whole[0]).region));
-    double around = 0;
-    for (const auto& outline : told)
-      for (std::size_t k = 0; k < outline.size(); ++k)
-        around += glm::length(outline[k] - outline[(k + 1) % outline.size()]);
-    if (difference(told[0], inFront, by, ignored) <= kOff &&
-        difference(told[1], behind, by, ignored) <= kOff) {
+    if (!hasOutline(s, at.P)) return;
+    const std::array<Figures, 2> told{Figures{s.behind.outline}, Figures{s.inFront.outline}},
+        right{outlinesOf(at.pieces[0]), outlinesOf(at.pieces[1])};
+    const std::array isTold{!told[0][0].empty(), !told[1][0].empty()};
+    const Figures whole = outlinesOf(at.P);
+    if (whole.empty() || run_[at.Q].parts.empty() || !(isTold[0] || isTold[1])) return;
+    const SnappedFace &P = face(run_[at.P].parts[0]), &Q = face(run_[at.Q].parts[0]);
+    // Where both planes may touch, the line of the cut is uncertain.
+    const auto mayBeOff = [&](const glm::dvec2& place) {
+      if (!isInPicture(place)) return true;
+      const auto x = std::llrint(place.x * kGrid), y = std::llrint(place.y * kGrid);
+      const bool isP = compareDepths(scene_.planes[P.plane], scene_.planes[Q.plane], x, y) > 0;
+      return mayTouch(scene_, isP ? P : Q, isP ? Q : P, x, y);
+    };
+    Off off, exchanged;
+    int empty = -1;
+    for (const int k : {0, 1}) {
+      const Figures &mine = right[k].empty() ? right[1 - k] : right[k], &theirs = isTold[k] ? told[k]
+                                                                                  : right[1 - k].empty()
+                                                                                      ? told[1 - k]
+                                                                                      : right[1 - k];
+      if (isTold[k]) off = larger(off, farthest(told[k], mine, mayBeOff));
+      const Off missing = farthest(right[k], theirs, mayBeOff);
+      if (!isTold[k] && missing.pixels > off.pixels) empty = k;
+      off = larger(off, missing);
+      exchanged = larger(exchanged, larger(farthest(told[k], right[1 - k], mayBeOff),
+                                           farthest(right[1 - k], told[k], mayBeOff)));
+    }
+    if (off.pixels <= kOff) return;
+    double area = 0, around = 0;
+    for (const auto& outline : whole) area += areaOf(outline);
+    for (const Figures& piece : told)
+      for (std::size_t k = 0; k < piece[0].size(); ++k)
+        around += glm::length(piece[0][k] - piece[0][(k + 1) % piece[0].size()]);
+    const double behind = areaOf(told[0][0]), inFront = areaOf(told[1][0]);
+    const Off beyond = farthest({told[0][0], told[1][0]}, whole,
+                                [&](const glm::dvec2& place) { return !isInPicture(place); });
+    FalseStep found{.kind = Falsehood::Cover,
+                    .P = at.P,
+                    .Q = at.Q,
+                    .says = "the pieces do not cover " + name(at.P) + " once: ",
+                    .numbers = numbersOf(off.pixels),
+                    .right = {at.pieces[0], at.pieces[1]},
+                    .told = {told[0][0], told[1][0]}};
+    if (isTold[0] && isTold[1] && exchanged.pixels <= kOff) {
       found.kind = Falsehood::Sides;
-    } else if (std::abs(sum - all) > kRounded * around / 2) {
-      found.kind = Falsehood::Cover;
-      found.more = "their areas are " + significant(areaOf(told[0]), 6) + " and " +
-                   significant(areaOf(told[1]), 6) + ", its own is " + significant(all, 6) + " pixels";
+      found.says = "the pieces of " + name(at.P) +
+                   " are exchanged: what is called behind lies in front of the plane of " + name(at.Q);
+    } else if (beyond.pixels > kOff) {
+      found.says += "at " + placeText(beyond.at) + " one reaches " + pixels(beyond.pixels) + " beyond it";
+    } else if (std::abs(behind + inFront - area) > kRounded * around / 2) {
+      found.says += "their areas are " + significant(behind, 6) + " and " + significant(inFront, 6) +
+                    ", its own is " + significant(area, 6) + " pixels";
+    } else {
+      found.kind = Falsehood::Plane;
+      found.says = "the pieces of " + name(at.P) + " are not those of the plane of " + name(at.Q) + ": " +
+                   (empty < 0 ? "at " + placeText(off.at) + " their outline is " + pixels(off.pixels) + " off"
+                              : std::string{"the one "} + (empty == 0 ? "behind" : "in front") +
+                                    " has no outline, and reaches " + pixels(off.pixels) + " from the plane");
     }
     tell(std::move(found));
   }
@@ -483,7 +638,7 @@ class RunJudge {
 
   void findLost() {
     line_ = 0;
-    std::map<int, Found> lost;  // by face
+    std::map<int, Nearer> lost;  // by face: what shows of it, and its place among the faces
     for (int j = 0; j < height_; ++j)
       for (int i = 0; i < width_; ++i) {
         const std::size_t at = static_cast<std::size_t>(j) * width_ + i;
@@ -492,19 +647,27 @@ class RunJudge {
         if (nearest_[at] != kNothing &&
             checkOf(scene_, part(nearest_[at]).fragment.face, face, i, j) == SampleCheck::Doubtful)
           continue;
-        Found& one = lost[scene_.faces[face].number];
-        if (one.seen.samples++ == 0)
-          one = {.kind = Falsehood::Lost, .line = 0, .seen = {1, i, j, {}}, .fragmentP = face};
+        Nearer& one = lost[scene_.faces[face].number];
+        if (one.at.samples++ == 0) one = {{1, i, j, {}}, face};
       }
-    for (auto& [number, one] : lost) {
-      for (int id = 0; id < run_.record.parts() && one.P < 0; ++id)
-        if (const int P = run_.polygonOf(id); P >= 0 && part(id).fragment.face == one.fragmentP &&
-                                              run_[P].state == NamedRun::Polygon::State::Waiting &&
-                                              owns(part(id).region, one.seen.i, one.seen.j))
-          one.P = P;
-      if (one.P < 0) one.P = run_.add({"face " + std::to_string(number), number});
-      one.right = {one.P};
-      tell(one);
+    std::map<int, std::vector<int>> left;  // by face
+    for (int P = 0; P < run_.polygons(); ++P)
+      if (run_[P].state == NamedRun::Polygon::State::Waiting) left[run_[P].face].push_back(P);
+    for (const auto& [number, one] : lost) {
+      std::vector<int>& waiting = left[number];
+      std::ranges::stable_partition(waiting, [&](int P) {  // first the one that shows there
+        return std::ranges::any_of(run_[P].parts, [&](int id) {
+          return part(id).fragment.face == one.front && owns(part(id).region, one.at.i, one.at.j);
+        });
+      });
+      if (waiting.empty()) waiting.push_back(run_.polygonOfFace(number));
+      tell({Falsehood::Lost,
+            waiting[0],
+            -1,
+            name(waiting[0]) + " is never painted; it shows at " + one.at.inWords(),
+            numbersOf(one.at),
+            {},
+            waiting});
     }
   }
   [[nodiscard]] bool owns(const Region& region, int i, int j) const {
@@ -513,29 +676,36 @@ class RunJudge {
   }
 
   /// Leaves out what may follow from a step before, and counts what is like one before.
-  void chooseIndependent(const Explainer& explainer) {
+  void chooseIndependent() {
     std::set<std::pair<int, int>> blamed;
     std::set<int> spoilt;
     std::map<std::pair<Falsehood, int>, std::size_t> like;
-    bool looped = false;
-    for (const Found& f : found_) {
-      const int p = run_[f.P].face, q = f.Q < 0 ? -1 : run_[f.Q].face;
+    bool loses = false, isOther = false;
+    if (outlinesOff_ > 0 && outlinesOff_ == outlinesTold_) {
+      const auto first = std::ranges::find(found_, Falsehood::Figure, &FalseStep::kind);
+      first->says += (outlinesOff_ == 1 ? "" : ", and so are all others that the run tells") +
+                     std::string{". Is it the same scene and camera, and does y go down?"};
+      std::rotate(found_.begin(), first, first + 1);
+      isOther = true;
+    }
+    for (FalseStep& step : found_) {
+      const int p = run_[step.P].face, q = step.Q < 0 ? kNothing : run_[step.Q].face;
       const std::pair pair{std::min(p, q), std::max(p, q)};
-      const bool ofPieces = f.kind == Falsehood::Shade;
-      const bool follows = !ofPieces && (blamed.contains(pair) || spoilt.contains(p) || spoilt.contains(q) ||
-                                         (looped && f.kind == Falsehood::Lost));
-      FalseStep step = inWords(f, explainer);
-      if (follows) {
+      const bool ofPieces = step.kind == Falsehood::Shade;
+      step.follows = (isOther && !report_.wrong.empty()) ||
+                     (!ofPieces && (blamed.contains(pair) || spoilt.contains(p) || spoilt.contains(q) ||
+                                    (loses && step.kind == Falsehood::Lost)));
+      if (step.follows) {
         ++report_.follow;
-        step.follows = true;
         report_.others.push_back(std::move(step));
         continue;
       }
       if (!ofPieces) blamed.insert(pair);
-      looped |= f.kind == Falsehood::Loop;
-      if (f.kind >= Falsehood::NoCut && f.kind <= Falsehood::Cover) spoilt.insert(p);
+      loses |= step.kind == Falsehood::Loop || step.kind == Falsehood::Unknown;
+      if (step.kind >= Falsehood::NoCut && step.kind <= Falsehood::Number) spoilt.insert(p);
+      if (step.kind == Falsehood::Number) spoilt.insert(q);
       const auto [at, isNew] =
-          like.try_emplace({f.kind, f.test ? static_cast<int>(*f.test) : -1}, report_.wrong.size());
+          like.try_emplace({step.kind, step.test ? static_cast<int>(*step.test) : -1}, report_.wrong.size());
       if (isNew)
         report_.wrong.push_back(std::move(step));
       else
@@ -543,126 +713,36 @@ class RunJudge {
     }
   }
 
-  // The words.
-
-  /// The test that settles a pair of fragments, in words.
-  [[nodiscard]] std::string settling(const Found& f, const Explainer& explainer) {
-    const Relation r = run_.record.compare(f.fragmentP, f.fragmentQ);
-    return explainer.sentence({.kind = Event::Kind::Compare,
-                               .test = r.test,
-                               .verdict = r.verdict,
-                               .contact = r.contact,
-                               .P = f.fragmentP,
-                               .Q = f.fragmentQ},
-                              r.test);
-  }
-  [[nodiscard]] FalseStep inWords(const Found& f, const Explainer& explainer) {
-    const std::string P = run_[f.P].name, Q = f.Q < 0 ? "" : run_[f.Q].name;
-    FalseStep step{.kind = f.kind,
-                   .line = f.line,
-                   .P = P,
-                   .Q = Q,
-                   .test = f.test,
-                   .polygonQ = f.Q,
-                   .right = f.right,
-                   .told = f.told};
-    std::string& says = step.says;
-    const std::string shows = f.seen.inWords();
-    if (f.seen.samples > 0)
-      step.numbers = {{"samples", f.seen.samples}, {"pixel", page::List{f.seen.i, f.seen.j}}};
-    else if (f.off > 0)
-      step.numbers = {{"pixels", f.off}};
-    const std::string off = significant(f.off, 4) + " pixels";
-    const std::string named = P + " (P) and " + Q + " (Q)";
-    const TestRow& row = kTestRows[static_cast<std::size_t>(f.test.value_or(Test::SamePlane))];
-    const std::string test = "test " + std::string{row.name} + " of " + named,
-                      asks = row.id == Test::Overlap ? "is P nowhere nearer where they overlap?"
-                                                     : std::string{row.asks};
-    switch (f.kind) {
-      case Falsehood::Answer: {
-        const bool yes = f.outcome == "yes" || f.outcome == nameOf(Verdict::PFirst);
-        says = test + " says " + std::string{f.outcome} + ": " + asks + (yes ? " No" : " Yes");
-        if (*f.test == Test::Overlap)
-          says += f.off > 0 ? ": P is nearer at " + counted(static_cast<int>(f.off), "sample") : "";
-        else if (*f.test == Test::XExtents || *f.test == Test::YExtents || *f.test == Test::Projections)
-          says += (yes ? ": they overlap by " : ": they are apart by ") + off;
-        else
-          says += (yes ? ": the corner at " : ": the nearest corner, at ") + fixed(f.at.x, 1) + ',' +
-                  fixed(f.at.y, 1) + " is " + off + (yes ? " beyond the plane" : " away from the plane");
-        break;
-      }
-      case Falsehood::LeftOut:
-        says = test + " is left out, and it would have told: " + asks + " Yes";
-        break;
-      case Falsehood::NotFirst:
-        says =
-            Q + " (Q) goes before " + P + " (P), and is nearer at " + shows + ". " + settling(f, explainer);
-        break;
-      case Falsehood::TooEarly: {
-        const bool tested = record(f.P, f.Q).made != 0 || record(f.Q, f.P).made != 0;
-        says = P + " (P) is painted before " + Q + " (Q), and is nearer at " + shows + ". " +
-               settling(f, explainer) + (tested || tests_made_ == 0 ? "" : " The run never tests them");
-        break;
-      }
-      case Falsehood::Loop:
-        if (f.round.empty()) {
-          says = named +
-                 " again, and nothing was moved, painted or split since: Q goes before P, or one is split";
-        } else {
-          says = Q + " goes before " + P + " again, and nothing was painted or split since: ";
-          const std::size_t first = f.round.size() > kMostNamed ? f.round.size() - kMostNamed : 0;
-          for (std::size_t k = first; k < f.round.size(); ++k) says += run_[f.round[k]].name + " after ";
-          says += Q + ". Q has a mark, so one of them is split";
-        }
-        break;
-      case Falsehood::NoCut:
-        says = P + " is split by the plane of " + Q + ", which does not cross it: it is " + off + " away";
-        break;
-      case Falsehood::Sides:
-        says =
-            "the pieces of " + P + " are exchanged: what is called behind lies in front of the plane of " + Q;
-        break;
-      case Falsehood::Plane:
-        says = "the pieces of " + P + " are not those of the plane of " + Q + ": at " + fixed(f.at.x, 1) +
-               ',' + fixed(f.at.y, 1) + " their outline is " + off + " off";
-        break;
-      case Falsehood::Cover:
-        says = "the pieces do not cover " + P + " once: " + f.more;
-        break;
-      case Falsehood::Shade:
-      case Falsehood::Gone:
-        says = P + ' ' + f.more;
-        break;
-      case Falsehood::Lost:
-        says = P + " is never painted; it shows at " + shows;
-        break;
-    }
-    if (says.ends_with('.')) says.pop_back();
-    return step;
-  }
-
-  const Picture& picture_;
   const SnappedScene& scene_;
   int width_, height_;
   Regions regions_;
   NamedRun run_;
+  Explainer explainer_;
   std::vector<int> visible_;
   std::vector<bool> shown_;   ///< each sample: whether what is visible there was painted
   std::vector<int> nearest_;  ///< each sample: the nearest fragment that was painted
   std::unordered_map<std::uint64_t, PairRecord> pairs_;
+  std::unordered_map<std::uint64_t, Truth> known_;
+  std::unordered_set<std::uint64_t> testedFaces_;
   std::map<int, int> cellOf_;  ///< of faces: the cell of the first piece that was painted
-  std::map<std::pair<int, int>, Found> early_;
-  std::vector<Found> found_;
-  std::vector<int> chain_;  ///< what was taken, and what was moved since
-  std::set<int> moved_;
+  std::map<std::pair<int, int>, Nearer> early_;
+  std::set<std::pair<int, int>> untested_;
+  std::pair<int, int> over_{-1, -1};  ///< fragments: painted, and painted over it; the last that were seen
+  std::vector<FalseStep> found_;
+  std::map<std::tuple<Falsehood, int, int, std::optional<Test>>, std::size_t> told_;  ///< places in found_
+  std::vector<int> joins_, joined_;
+  int chain_ = 0, moved_ = 0;  ///< where they begin in joins_
   std::pair<int, int> tested_{-1, -1};
-  int lastTaken_ = -1, changes_ = 0, line_ = 0, tests_made_ = 0;
+  int lastTaken_ = -1, changes_ = 0, line_ = 0, outlinesTold_ = 0, outlinesOff_ = 0;
   RunReport report_;
 };
 
 }  // namespace
 
 RunReport judgeRun(const Picture& picture, const RunFile& run) {
+  if (const std::string& scene = picture.scene().name; !run.isOf(scene))
+    throw ParseError{run.name(), 1,
+                     "a run of the scene " + inQuotes(run.scene()) + ", and this one is " + inQuotes(scene)};
   RunJudge judge{picture};
   int steps = 0;
   run.forEach([&](const RunStep& step) { judge.step(step), ++steps; });
@@ -671,7 +751,11 @@ RunReport judgeRun(const Picture& picture, const RunFile& run) {
 }
 
 std::string verdictOf(const RunReport& report) {
-  if (report.wrong.empty()) return "right: " + counted(report.steps, "step") + ", and none is false";
+  if (report.wrong.empty())
+    return "right: " + counted(report.steps, "step") + ", and none is false" +
+           (report.untested == 0 ? ""
+                                 : ", but " + counted(report.untested, "pair") +
+                                       (report.untested == 1 ? " was" : " were") + " never tested");
   const FalseStep& first = report.wrong.front();
   return "wrong: " + (first.line > 0 ? "line " + std::to_string(first.line) : "at the end") + ": " +
          first.says;
@@ -693,14 +777,15 @@ page::Page pageOf(const RunReport& report) {
                       .alarm = true});
     wrong.emplace_back(page::Object{{"kind", nameOf(step.kind)},
                                     {"line", step.line},
-                                    {"P", step.P},
-                                    {"Q", step.Q.empty() ? page::Data{nullptr} : page::Data{step.Q}},
+                                    {"P", step.nameP},
+                                    {"Q", step.Q < 0 ? page::Data{nullptr} : page::Data{step.nameQ}},
                                     {"says", step.says},
                                     {"numbers", step.numbers},
                                     {"alike", step.alike}});
   }
   section.fact("verdict", isRight ? "right" : "wrong");
   section.fact("steps", report.steps);
+  section.fact("untested", report.untested);
   section.fact("wrong", std::move(wrong));
   section.fact("follow", report.follow,
                report.follow == 0 ? "" : counted(report.follow, "other") + " may follow from these");

@@ -29,13 +29,17 @@ enum class Falsehood {
   Sides,     ///< the pieces behind and in front are exchanged
   Plane,     ///< the pieces are not those of that plane
   Cover,     ///< the pieces do not cover the polygon once
+  Figure,    ///< the polygon has another outline in the scene
+  Number,    ///< a piece has the number of another polygon
   Shade,     ///< a piece has not the shading of its polygon
   Gone,      ///< the polygon was painted or split before
+  Unknown,   ///< there is no polygon of this number
+  Itself,    ///< P and Q are one polygon
   Lost,      ///< a polygon that shows is never painted
 };
-inline constexpr std::array<std::string_view, 12> kFalsehoods{"answer", "left-out", "not-first", "too-early",
-                                                              "loop",   "no-cut",   "sides",     "plane",
-                                                              "cover",  "shade",    "gone",      "lost"};
+inline constexpr std::array<std::string_view, 16> kFalsehoods{
+    "answer", "left-out", "not-first", "too-early", "loop", "no-cut",  "sides",  "plane",
+    "cover",  "outline",  "number",    "shade",     "gone", "unknown", "itself", "lost"};
 
 [[nodiscard]] constexpr std::string_view nameOf(Falsehood kind) {
   return kFalsehoods[static_cast<std::size_t>(kind)];
@@ -43,17 +47,16 @@ inline constexpr std::array<std::string_view, 12> kFalsehoods{"answer", "left-ou
 
 struct FalseStep {
   Falsehood kind;
-  int line = 0;      ///< of the file; 0: at its end
-  std::string P, Q;  ///< the polygons; Q may be ""
+  int P = -1, Q = -1;  ///< polygons of the run (NamedRun); -1: none
   std::string says = {};
   page::Object numbers = {};
+  std::optional<Test> test = {};
+  std::vector<int> right = {};                     ///< polygons that would have been right
+  std::vector<std::vector<glm::dvec2>> told = {};  ///< outlines of the run
+  int line = 0;                                    ///< of the file; 0: at its end
+  std::string nameP = {}, nameQ = {};
   int alike = 0;         ///< how many others of this kind are not listed
   bool follows = false;  ///< it may follow from one before
-  // For the stepper: the polygons are those of the run (NamedRun).
-  std::optional<Test> test = {};
-  int polygonQ = -1;
-  std::vector<int> right = {};                     ///< what would have been right
-  std::vector<std::vector<glm::dvec2>> told = {};  ///< outlines of the run
 };
 
 struct RunReport {
@@ -61,6 +64,7 @@ struct RunReport {
   std::vector<FalseStep> wrong;   ///< the first one, and others that do not follow from those before
   std::vector<FalseStep> others;  ///< what is not listed
   int follow = 0;                 ///< how many of them may follow from those listed
+  int untested = 0;               ///< pairs with one painted over the other, of z that overlap, and no test
 };
 
 /// `picture` has planes. @throws ParseError for what is no run of this scene

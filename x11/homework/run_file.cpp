@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "geometry/files/text_file.h"
 #include "shading/diagnose/paint_steps.h"
@@ -22,7 +23,7 @@ std::string_view wordOf(const RunStep& step) {
 }
 
 void put(Json& json, const std::string& key, const RunPolygon& polygon) {
-  if (polygon.id < 0) return;
+  if (polygon.id == RunPolygon::kNone) return;
   if (polygon.name.empty()) {
     json[key] = polygon.id;
   } else {
@@ -40,8 +41,9 @@ std::string textOf(const Json& json, const std::string& key) {
 }
 
 int numberOf(const Json& value, const std::string& key) {
-  if (!value.is_number_integer() || value < 0 || value > std::numeric_limits<int>::max())
-    throw std::runtime_error{'"' + key + "\" is a whole number from 0"};
+  using Int = std::numeric_limits<int>;
+  if (!value.is_number_integer() || value < Int::min() || value > Int::max())
+    throw std::runtime_error{'"' + key + "\" is a whole number, and no name"};
   return value.get<int>();
 }
 
@@ -56,7 +58,8 @@ RunPolygon polygonOf(const Json& json, const std::string& key) {
   } else {
     polygon.id = numberOf(*at, key);
   }
-  if (const auto outline = json.find(key + "_outline"); outline != json.end())
+  const auto outline = json.find(key + "_outline");
+  if (outline != json.end() && (!outline->is_array() || outline->size() > 2))  // with two corners it is empty
     polygon.outline = outlineOf(*outline, key + "_outline");
   if (const auto shade = json.find(key + "_shade"); shade != json.end()) {
     const auto isFinite = [](const Json& v) { return v.is_number() && std::isfinite(v.get<double>()); };
@@ -87,8 +90,6 @@ RunStep stepOf(const Json& json) {
     return step;
   }
   step.Q = polygonOf(json, "Q");
-  if (step.Q.id == step.P.id && step.Q.name.empty() == step.P.name.empty())
-    throw std::runtime_error{"P and Q are the same polygon"};
   if (step.kind == Event::Kind::Split) {
     step.behind = polygonOf(json, "behind");
     step.inFront = polygonOf(json, "in_front");
@@ -140,14 +141,19 @@ Json asJson(const RunStep& step) {
 
 bool isRunFile(const std::string& file) {
   const std::string text = readTextFile(file, kMostBytes);
-  return text.find("\"event\"") < text.find('\n');
+  return text.find("\"event\"") != text.npos;
 }
 
 RunFile::RunFile(const std::string& file) : name_{file}, text_{readTextFile(file, kMostBytes)} {
   forEachJsonLine(std::string_view{text_}.substr(0, text_.find('\n')), name_, kExample,
                   [&](const Json& json, int) {
                     if (json.contains("size")) size_ = pictureSizeOf(json["size"]);
+                    if (json.contains("scene")) scene_ = textOf(json, "scene");
                   });
+}
+
+bool RunFile::isOf(const std::string& scene) const {
+  return scene_.empty() || std::filesystem::path{scene_}.stem() == std::filesystem::path{scene}.stem();
 }
 
 std::size_t RunFile::lines() const { return static_cast<std::size_t>(std::ranges::count(text_, '\n')) + 1; }

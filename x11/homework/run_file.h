@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <glm/vec2.hpp>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -19,9 +20,10 @@ namespace xnewell {
 /// A polygon of a line. A program names faces by their numbers in the scene, and pieces by numbers of its
 /// own. trace names each by its place among the picture's polygons, and in words.
 struct RunPolygon {
-  std::int64_t id = -1;                  ///< -1: none
+  static constexpr std::int64_t kNone = std::numeric_limits<std::int64_t>::min();
+  std::int64_t id = kNone;               ///< a program may write any
   std::string name = {};                 ///< "" for a program's number
-  std::vector<glm::dvec2> outline = {};  ///< pixels; empty if it is not told
+  std::vector<glm::dvec2> outline = {};  ///< pixels; empty if it is not told, or has no area
   /// What flat shading has: normal, N.L and cell.
   std::optional<std::array<double, 5>> shade = {};
 };
@@ -49,7 +51,7 @@ inline constexpr std::array<std::string_view, 5> kOutcomes{"P first", "Q first",
 
 [[nodiscard]] nlohmann::ordered_json asJson(const RunStep& step);
 
-/// True if a file of JSON lines begins as a run does, and not as a painting order.
+/// True if a file of JSON lines has events, as a run does, and not a painting order.
 [[nodiscard]] bool isRunFile(const std::string& file);
 
 class RunFile {
@@ -60,12 +62,15 @@ class RunFile {
   [[nodiscard]] std::size_t lines() const;
   /// What the first line says of the picture.
   [[nodiscard]] std::optional<glm::ivec2> size() const { return size_; }
+  /// True unless the first line names another scene; where its file lies does not count.
+  [[nodiscard]] bool isOf(const std::string& scene) const;
+  [[nodiscard]] const std::string& scene() const { return scene_; }  ///< that it names; or else ""
   /// Lines that only tell of the run are left out. @throws ParseError for what is no such line, and for a
   /// std::runtime_error of `use`
   void forEach(const std::function<void(const RunStep&)>& use) const;
 
  private:
-  std::string name_, text_;
+  std::string name_, text_, scene_;
   std::optional<glm::ivec2> size_;
 };
 

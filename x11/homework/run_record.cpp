@@ -104,7 +104,10 @@ void RunRecord::restore(State state) {
 }
 
 NamedRun::NamedRun(const Picture& picture, const SnappedScene& named, bool all)
-    : record{picture, all}, named_{named}, faces_{picture.scene().mesh.faceCount()} {
+    : record{picture, all},
+      fragments_{picture.scene().mesh, record.scene(), record.sorted()},
+      named_{named},
+      faces_{picture.scene().mesh.faceCount()} {
   std::vector<int> list;
   for (int f = 0; f < record.parts(); ++f) partsOf_[record.face(f).number].push_back(f), list.push_back(f);
   std::ranges::stable_sort(list, {}, [&](int f) { return record[f].extents.zFar; });
@@ -112,74 +115,90 @@ NamedRun::NamedRun(const Picture& picture, const SnappedScene& named, bool all)
 }
 
 int NamedRun::add(Polygon polygon) {
+  constexpr int kMost = 2'000'000;  // half a gigabyte
+  if (polygons() == kMost) throw std::runtime_error{"more than " + grouped(kMost) + " polygons and pieces"};
   polygonOf_.resize(record.parts(), -1);
   for (const int part : polygon.parts) polygonOf_[part] = polygons();
   polygons_.push_back(std::move(polygon));
   return polygons() - 1;
 }
 
-int NamedRun::polygon(const RunPolygon& named) {
+std::string NamedRun::nameOfFace(int face) const {
+  const std::string number = "face " + std::to_string(face);
+  const auto parts = partsOf_.find(face);
+  if (parts == partsOf_.end() || parts->second.size() > 1) return number;
+  const std::string part = fragments_.part(parts->second[0]);
+  return number + (part.empty() ? "" : " " + part);
+}
+
+int NamedRun::find(const RunPolygon& named) {
   const bool isFace = named.name.empty();
-  auto& known = isFace ? byNumber_ : byPlace_;
-  if (const auto at = known.find(named.id); at != known.end()) return at->second;
-  if (isFace ? named.id >= faces_ : named.id >= std::ssize(named_.faces))
-    throw std::runtime_error{"no polygon " + std::to_string(named.id) + ": the faces are 0 to " +
-                             std::to_string(faces_ - 1) + ", and no split made it"};
+  if (const auto at = known(named).find(named.id); at != known(named).end()) return at->second;
+  if (named.id < 0 || named.id >= (isFace ? faces_ : std::ssize(named_.faces))) return -1;
   const int id = static_cast<int>(named.id);
-  Polygon made{isFace ? "face " + std::to_string(id) : named.name, isFace ? id : named_.faces[id].number};
+  Polygon made{"", isFace ? id : named_.faces[id].number};
   if (const auto parts = partsOf_.find(made.face); parts != partsOf_.end()) made.parts = parts->second;
+  made.name = made.parts.size() > 1 && !isFace ? named.name : nameOfFace(made.face);
   if (!isFace) {  // one of the parts: the one with as many before it
     int before = 0;
     while (before < id && named_.faces[id - before - 1].number == made.face) ++before;
     made.parts = before < std::ssize(made.parts) ? std::vector{made.parts[before]} : std::vector<int>{};
   }
-  return known[named.id] = add(std::move(made));
+  return known(named)[named.id] = add(std::move(made));
+}
+
+int NamedRun::polygon(const RunPolygon& named) {
+  if (const int polygon = find(named); polygon >= 0) return polygon;
+  return known(named)[named.id] = add({.name = "polygon " + std::to_string(named.id),
+                                       .face = -1 - polygons(),
+                                       .state = Polygon::State::Unknown});
 }
 
 int NamedRun::addPiece(int P, const RunPolygon& named, std::vector<int> parts) {
   const bool isNumber = named.name.empty();
-  auto& known = isNumber ? byNumber_ : byPlace_;
-  const std::string number = std::to_string(named.id);
-  if (known.contains(named.id) || (isNumber && named.id < faces_))
-    throw std::runtime_error{"a piece has the number " + number + ", which another polygon has"};
   const int face = polygons_[P].face;
-  return known[named.id] =
-             add({.name = isNumber ? "piece " + number + " of face " + std::to_string(face) : named.name,
-                  .face = face,
-                  .parts = std::move(parts),
-                  .own = isNumber ? named.id : -1});
+  return known(named)[named.id] = add({.name = isNumber ? "piece " + std::to_string(named.id) +
+                                                              (face < 0 ? "" : " of " + nameOfFace(face))
+                                                        : named.name,
+                                       .face = face,
+                                       .parts = std::move(parts),
+                                       .own = isNumber ? std::optional{named.id} : std::nullopt});
 }
 
 void NamedRun::split(const RunStep& s, Step& step) {
   const std::vector<int> whole = polygons_[step.P].parts, by = polygons_[step.Q].parts;
-  std::vector<int> behind, inFront;
-  if (polygons_[step.P].state == Polygon::State::Waiting && !by.empty()) {
+  std::array<std::vector<int>, 2> parts;
+  if (polygons_[step.P].state == Polygon::State::Waiting && !by.empty() && step.P != step.Q) {
     for (const int part : whole) {
       if (record.crosses(part, by[0])) {
         const int first = record.cut(part, by[0]);
-        behind.push_back(first), inFront.push_back(first + 1);
+        parts[0].push_back(first), parts[1].push_back(first + 1);
         continue;
       }
       record.add({.kind = Event::Kind::Impossible, .P = part, .Q = by[0]});
-      const bool ahead = record.tests().signsOver(record.shape(part), record.shape(by[0])).positive;
-      (ahead ? inFront : behind).push_back(part);
+      parts[record.tests().signsOver(record.shape(part), record.shape(by[0])).positive].push_back(part);
     }
   } else if (!whole.empty()) {
     record.take(whole[0]);
+    if (polygons_[step.P].state == Polygon::State::Waiting) parts[0] = whole;
   }
-  step.behind = addPiece(step.P, s.behind, std::move(behind));
-  step.inFront = addPiece(step.P, s.inFront, std::move(inFront));
+  for (const int k : {0, 1}) {
+    const RunPolygon& named = k == 0 ? s.behind : s.inFront;
+    if (const int before = find(named); before >= 0 && polygons_[before].state != Polygon::State::Unknown)
+      step.before[k] = before;
+    step.pieces[k] = addPiece(step.P, named, std::move(parts[k]));
+  }
 }
 
 NamedRun::Step NamedRun::step(const RunStep& s, const std::function<void(const Step&)>& before) {
   if (!s.kind && !s.marks) return {};
   Step step{polygon(s.P)};
-  if (s.Q.id >= 0) step.Q = polygon(s.Q);
-  if (s.marks) return step;
+  if (s.Q.id != RunPolygon::kNone) step.Q = polygon(s.Q);
   before(step);
+  if (s.marks) return step;
   const std::vector<int> p = polygons_[step.P].parts,
                          q = step.Q < 0 ? std::vector<int>{} : polygons_[step.Q].parts;
-  const bool shows = !p.empty() && (step.Q < 0 || !q.empty());
+  const bool shows = !p.empty() && (step.Q < 0 || (!q.empty() && step.P != step.Q));
   switch (*s.kind) {
     case Event::Kind::Take:
       if (!shows) break;

@@ -7,6 +7,7 @@
 
 #include "depthsort/pair_tests.h"
 #include "depthsort/pieces.h"
+#include "depthsort/record/explain.h"
 #include "shading/picture/picture.h"
 #include "x11/homework/run_file.h"
 
@@ -100,28 +101,33 @@ class NamedRun {
   NamedRun(const Picture& picture, const SnappedScene& named, bool all);
 
   struct Polygon {
-    enum class State { Waiting, Painted, Split };
+    enum class State { Waiting, Painted, Split, Unknown };
     std::string name;
-    int face;                     ///< number in the scene
+    int face;                     ///< number in the scene; another one below 0 for each unknown polygon
     std::vector<int> parts = {};  ///< ids of fragments; several for a concave face, none if it is not visible
     State state = State::Waiting;
-    int line = 0;           ///< that painted or split it
-    std::int64_t own = -1;  ///< of a piece: the number that the program gave it
+    int line = 0;                          ///< that painted or split it
+    std::optional<std::int64_t> own = {};  ///< of a piece: the number that the program gave it
     std::optional<std::array<double, 5>> shade = {};
   };
   /// Indices of polygons; -1 for none.
   struct Step {
-    int P = -1, Q = -1, behind = -1, inFront = -1;
+    int P = -1, Q = -1;
+    std::array<int, 2> pieces{-1, -1};  ///< behind, in front
+    std::array<int, 2> before{-1, -1};  ///< that had the number of the piece
   };
-  /// Does a step. `before` is called when its P and Q are known and nothing is done yet.
-  /// @throws std::runtime_error for a name that is none
+  /// Does a step, as far as it can be done. `before` is called when its P and Q are known and nothing is done
+  /// yet.
   Step step(
       const RunStep& s, const std::function<void(const Step&)>& before = [](const Step&) {});
 
   [[nodiscard]] Polygon& operator[](int polygon) { return polygons_[polygon]; }
   [[nodiscard]] const Polygon& operator[](int polygon) const { return polygons_[polygon]; }
   [[nodiscard]] int polygons() const { return static_cast<int>(polygons_.size()); }
-  int add(Polygon polygon);
+  /// `face 4 lid`: the number and the part, as the lists of the window have them.
+  [[nodiscard]] std::string nameOfFace(int face) const;
+  [[nodiscard]] int faces() const { return faces_; }
+  [[nodiscard]] int polygonOfFace(int number) { return polygon({.id = number}); }
   /// The polygon that a fragment is, or is a part of; -1 if the run does not speak of it.
   [[nodiscard]] int polygonOf(int fragment) const {
     return fragment < static_cast<int>(polygonOf_.size()) ? polygonOf_[fragment] : -1;
@@ -132,10 +138,17 @@ class NamedRun {
   RunRecord record;
 
  private:
+  int add(Polygon polygon);
+  /// The polygon that has this number now; -1 if there is none.
+  [[nodiscard]] int find(const RunPolygon& named);
   [[nodiscard]] int polygon(const RunPolygon& named);
   int addPiece(int P, const RunPolygon& named, std::vector<int> parts);
+  [[nodiscard]] std::unordered_map<std::int64_t, int>& known(const RunPolygon& named) {
+    return named.name.empty() ? byNumber_ : byPlace_;
+  }
   void split(const RunStep& s, Step& step);
 
+  const Fragments fragments_;  ///< of no run: names of faces
   const SnappedScene& named_;
   int faces_;
   std::unordered_map<int, std::vector<int>> partsOf_;  ///< of faces by their numbers

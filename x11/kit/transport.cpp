@@ -170,8 +170,10 @@ void drawTimeline(Pen& pen, const TransportLayout& layout, const TransportState&
     for (int i = 0; i < at.width; ++i) {
       if (marks[i] == 0 || (state.asking && !done[i])) continue;
       const int high = lane.many ? std::max(3, height * marks[i] / most) : height;
-      const int width = lane.many || i + 1 == at.width ? 1 : 2;
-      pen.paint.fillRect({at.x + i, bottom - 2 - high, width, high},
+      const int width = lane.ahead ? 3 : lane.many || i + 1 == at.width ? 1 : 2;
+      const int from =
+          lane.ahead ? std::clamp(i - 1, 0, at.width - 3) : i;  // wider than the line of the step
+      pen.paint.fillRect({at.x + from, bottom - 2 - high, width, high},
                          pen(done[i] || lane.ahead ? lane.cell : Cell::Faint));
     }
   }

@@ -30,7 +30,7 @@ std::string circleText(const SortRun& run, const std::vector<int>& cycle) {
   for (const int number : cycle) {
     const auto& faces = run.scene().faces;
     const auto at = std::ranges::find(faces, number, &SnappedFace::number);
-    way += (way.empty() ? "" : " before ") + numberAndPart(run, static_cast<int>(at - faces.begin()));
+    way += (way.empty() ? "" : " before ") + run.name(static_cast<int>(at - faces.begin()));
   }
   return "polygons must be painted " + way;
 }

@@ -352,7 +352,7 @@ std::string SortBench::aside() const {
   if (view().theirs) {
     const PictureSettings &run = theirs_->picture.settings(), &here = picture_->settings();
     return oneLine(theirs_->file.name()) + ": a picture of " + sizeText(run.width, run.height) +
-           (run.width == here.width ? "" : ", shown smaller");
+           (run.width == here.width ? "" : ", shown smaller; numbers are in its pixels");
   }
   if (fullColor_) return "in one hue: the picture chooses its colours after all of it is painted";
   return order_ == Order::Newell ? "the textbook's run; the picture uses a quicker one, which may cut others"

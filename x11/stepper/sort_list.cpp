@@ -24,70 +24,45 @@ struct Rows {
   int more = 0;  ///< more polygons that overlap P in z; without P, more in the list
 };
 
-/// All that is left to paint, while the student chooses: as much of the list as has room, around P, with Q.
-Rows ownRowsOf(const SortPen& pen) {
+/// What was painted last, and what waits: beside P all that overlaps it in z, or the whole list while the
+/// student chooses. As much of it as has room, with P and Q.
+Rows rowsOf(const SortPen& pen) {
   const int P = pen.P(), Q = pen.Q();
+  const bool own = pen.sorting();
+  const Replay& replay = pen.run.replay();
   Rows rows;
-  for (int n = std::max(0, pen.run.replay().painted() - 2); n < pen.run.replay().painted(); ++n)
-    rows.shown.push_back({pen.run.paintedId(n), Mark::Painted});
+  for (int n = std::max(0, replay.painted() - 3); n < replay.painted(); ++n)
+    if (const int id = pen.run.paintedId(n); id != P) rows.shown.push_back({id, Mark::Painted});
+  while (rows.shown.size() > 2) rows.shown.erase(rows.shown.begin());
+
+  if (P >= 0 && !own) rows.shown.push_back({P, Mark::P});
+
   std::vector<Row> left;
-  for (const auto& [id, marked] : pen.run.replay().list(std::numeric_limits<int>::max()))
-    left.push_back({id,
-                    id == P   ? Mark::P
-                    : id == Q ? Mark::Q
-                    : marked  ? Mark::Marked
-                              : Mark::Waiting,
-                    marked});
-  const int count = static_cast<int>(left.size()), room = pen.at.rows() - static_cast<int>(rows.shown.size());
+  const Range z = P >= 0 ? pen.run.zExtent(P) : Range{};
+  for (const auto& [id, marked] : replay.list(std::numeric_limits<int>::max())) {
+    const Mark mark = id == P ? Mark::P : id == Q ? Mark::Q : marked ? Mark::Marked : Mark::Waiting;
+    if (id == P && !own)
+      rows.shown.back().marked = marked;
+    else if (own || P < 0 || mark != Mark::Waiting || pen.run.zExtent(id).overlaps(z))
+      left.push_back({id, mark, marked});
+  }
   const auto placeOf = [&](Mark mark) {
     return static_cast<int>(std::ranges::find(left, mark, &Row::mark) - left.begin());
   };
+  if (Q >= 0 && !own && placeOf(Mark::Q) == std::ssize(left)) left.insert(left.begin(), {Q, Mark::Q});
+
+  const int count = static_cast<int>(left.size()), room = pen.at.rows() - static_cast<int>(rows.shown.size());
   const int p = placeOf(Mark::P), q = placeOf(Mark::Q);
-  const int first = std::clamp(p - room / 3, 0, std::max(0, count - room)),
+  const int first = std::clamp(own         ? p - room / 3
+                               : q < count ? q - room + 1
+                                           : 0,
+                               0, std::max(0, count - room)),
             last = std::min(count, first + room);
   rows.shown.insert(rows.shown.end(), left.begin() + first, left.begin() + last);
   if (q < first && q < p)
     *(rows.shown.end() - (last - first)) = left[q];
   else if (last <= q && q < count)
     rows.shown.back() = left[q];
-  rows.more = count - (last - first);
-  return rows;
-}
-
-Rows rowsOf(const SortPen& pen) {
-  if (pen.sorting()) return ownRowsOf(pen);
-  const int room = pen.at.rows(), P = pen.P(), Q = pen.Q();
-  const Replay& replay = pen.run.replay();
-  Rows rows;
-  for (int n = std::max(0, replay.painted() - 3); n < replay.painted(); ++n)
-    if (const int id = pen.run.paintedId(n); id != P) rows.shown.push_back({id, Mark::Painted});
-  while (rows.shown.size() > 2) rows.shown.erase(rows.shown.begin());
-  if (P >= 0) rows.shown.push_back({P, Mark::P});
-
-  std::vector<Row> others;
-  const Range z = P >= 0 ? pen.run.zExtent(P) : Range{};
-  bool hasQ = false;
-  const auto& faces = pen.run.scene().faces;
-  for (const auto& [id, marked] :
-       replay.list(static_cast<int>(faces.size() + pen.run.sorted().pieces.size()))) {
-    if (id == P) {
-      rows.shown.back().marked = marked;
-      continue;
-    }
-    hasQ |= id == Q;
-    if (id == Q)
-      others.push_back({id, Mark::Q, marked});
-    else if (marked || P < 0 || pen.run.zExtent(id).overlaps(z))
-      others.push_back({id, marked ? Mark::Marked : Mark::Waiting, marked});
-  }
-  if (Q >= 0 && !hasQ) others.insert(others.begin(), {Q, Mark::Q});
-
-  // Q is always among the rows.
-  const int count = static_cast<int>(others.size()), left = room - static_cast<int>(rows.shown.size());
-  const auto q = std::ranges::find(others, Mark::Q, &Row::mark) - others.begin();
-  const int first = q < count ? std::max(0, static_cast<int>(q) - left + 1) : 0;
-  const int last = std::min(count, first + left);
-  rows.shown.insert(rows.shown.end(), others.begin() + first, others.begin() + last);
   rows.more = count - (last - first);
   return rows;
 }
@@ -240,8 +215,7 @@ void drawRows(SortPen& pen, const Axis& axis, const Rows& rows) {
     const std::string number = fitting(pen.run.number(row.id), 54);
     const int end = std::max(at.x + 54, at.x + 20 + textWidth(number));
     pen.paint.textRight(end, y, number, pen(cell), voice);
-    pen.paint.text(end + 8, y, fitting(pen.run.fragments().part(row.id), words.x + words.width - end - 8),
-                   pen(cell));
+    pen.paint.text(end + 8, y, fitting(pen.run.part(row.id), words.x + words.width - end - 8), pen(cell));
     drawBar(pen, axis, row, y);
     y += pen.at.line;
   }

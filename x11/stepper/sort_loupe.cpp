@@ -190,7 +190,8 @@ class Loupe {
     if (all.size() > kMostNumbers) return;
     for (const CornerDistance& corner : all) {
       const Place p = place(corner.at);
-      label(p, {p.x - middle.x, p.y - middle.y}, distanceText(corner), cell == Cell::P ? Cell::P : Cell::Ink);
+      label(p, {p.x - middle.x, p.y - middle.y}, distanceText(corner, pen_.run.scale()),
+            cell == Cell::P ? Cell::P : Cell::Ink);
     }
   }
 

@@ -49,8 +49,8 @@ SortDrawn drawSortPage(Painter paint, const SortLayout& at, SortRun& run, const 
       view.own || view.asking ? std::vector<const FalseStep*>{} : run.wrong();
   std::optional<Event> ours;
   for (const FalseStep* one : wrong)
-    if (event && !ours && one->polygonQ >= 0 && !run.partsOf(one->polygonQ).empty()) {
-      if (event->Q < 0) event->Q = run.partsOf(one->polygonQ)[0];
+    if (event && !ours && one->Q >= 0 && !run.partsOf(one->Q).empty()) {
+      if (event->Q < 0) event->Q = run.partsOf(one->Q)[0];
       if (event->Q != event->P) ours = run.compared(event->P, event->Q);
     }
   if (ours && !compare) compare = &*ours;

@@ -97,10 +97,40 @@ Verdict SortRun::verdict() const {
   return named_ ? compared(e.P, e.Q).verdict : e.verdict;
 }
 
-std::string SortRun::number(int id) const {
+const NamedRun::Polygon* SortRun::named(int id) const {
   const int polygon = named_ ? named_->polygonOf(id) : -1;
-  const std::int64_t own = polygon < 0 ? -1 : (*named_)[polygon].own;
-  return (own < 0 ? "" : std::to_string(own) + '=') + fragments().number(id);
+  return polygon < 0 ? nullptr : &(*named_)[polygon];
+}
+
+std::string SortRun::number(int id) const {
+  const NamedRun::Polygon* const polygon = named(id);
+  return polygon && polygon->own ? std::to_string(*polygon->own) : fragments().number(id);
+}
+
+std::string SortRun::part(int id) const {
+  const NamedRun::Polygon* const polygon = named(id);
+  if (!polygon || !polygon->own) return fragments().part(id);
+  const std::string face = named_->nameOfFace(polygon->face);
+  return "of" + face.substr(face.find(' '));
+}
+
+std::string SortRun::name(int id) const {
+  if (const NamedRun::Polygon* const polygon = named(id)) return polygon->name;
+  if (named_) return named_->nameOfFace(fragments().face(id).number);
+  const std::string part = fragments().part(id);
+  if (fragments().hasName(id)) return part;
+  return fragments().number(id) + (part.empty() ? "" : " " + part);
+}
+
+bool SortRun::isAdded() const {
+  const Event* const e = replay_.event();
+  const int step = replay_.step();
+  return named_ && e && e->kind == Event::Kind::Take && step < steps() &&
+         named_->lines()[step] == named_->lines()[step - 1];
+}
+
+double SortRun::scale() const {
+  return theirs_ ? 1.0 * theirs_->picture.settings().height / picture_.settings().height : 1.0;
 }
 
 std::vector<int> SortRun::waiting() const {

@@ -63,8 +63,15 @@ class SortRun {
   [[nodiscard]] Hidden hidden(int P, int Q) const { return named_->record.hidden(P, Q); }
   /// What becomes of the two polygons that this step compares.
   [[nodiscard]] Verdict verdict() const;
-  /// A fragment's number in the list: that of Fragments, after their own number for a piece.
+  /// A fragment's number and part in the list: those of Fragments, or what another program calls its piece.
   [[nodiscard]] std::string number(int id) const;
+  [[nodiscard]] std::string part(int id) const;
+  /// What sentences call it: as judge does in another program's run, or else `85 body`.
+  [[nodiscard]] std::string name(int id) const;
+  /// True if no line of their run has this step: they have not written what they took.
+  [[nodiscard]] bool isAdded() const;
+  /// The height of their picture, with this one's as the unit: views scale by their heights.
+  [[nodiscard]] double scale() const;
   /// 0 <= step <= steps().
   void goTo(int step) { replay_.goTo(step); }
   [[nodiscard]] const IndexImage& soFar() { return soFar_.at(replay_.painted()); }
@@ -85,6 +92,8 @@ class SortRun {
   [[nodiscard]] int fragmentAt(int column, int row) const;
 
  private:
+  /// The polygon of their run that a fragment is; null if there is none.
+  [[nodiscard]] const NamedRun::Polygon* named(int id) const;
   SortRun(Picture withPlanes, std::optional<SortedScene> sorted, std::uint8_t ground, std::size_t copies,
           std::shared_ptr<const JudgedRun> theirs = {}, std::unique_ptr<NamedRun> named = {});
   /// The steps that are false, and do not follow from others; nothing if the run is ours.

@@ -26,8 +26,8 @@ void drawHeading(SortPen& pen) {
   const int room = (right - (asked ? textWidth(asks) + 12 : 0) - x) / (pair ? 2 : 1) - 34;
   const auto name = [&](int id, bool isP) {
     drawBadge(pen, x, y - 11, isP);
-    const std::string farthest = numberAndPart(pen.run, id) +
-                                 (pen.event->kind == Event::Kind::Take && !pen.view.own ? ", farthest" : "");
+    const bool isFarthest = pen.event->kind == Event::Kind::Take && !pen.view.own && !pen.run.theirs();
+    const std::string farthest = pen.run.name(id) + (isFarthest ? ", farthest" : "");
     x = pen.ink(x + 18, y, fitting(farthest, room)) + 24;
   };
   name(pen.P(), true);
@@ -37,12 +37,13 @@ void drawHeading(SortPen& pen) {
 
 /// Draws the answer at the end of a row, aligned right: a mark and words.
 void drawAnswer(SortPen& pen, int right, int y, const TestAnswer& answer) {
-  const bool holds = answer.mark == TestAnswer::Mark::Tick;
-  const Cell cell = holds ? Cell::Good : Cell::Alarm;
+  using Mark = TestAnswer::Mark;
+  const bool holds = answer.mark == Mark::Tick;
+  const Cell cell = holds ? Cell::Good : answer.mark == Mark::None ? Cell::Soft : Cell::Alarm;
   const int x = pen.paint.textRight(right, y, answer.words, pen(cell));
   if (holds)
     pen.paint.tick(x - 16, y - 8, pen(cell));
-  else
+  else if (answer.mark == Mark::Cross)
     pen.paint.cross(x - 17, y - 8, pen(cell));
 }
 
@@ -102,7 +103,7 @@ void drawTests(SortPen& pen) {
       const Event compare{.kind = Event::Kind::Compare, .P = pen.P(), .Q = pen.Q()};
       pen.ink(numbers, y,
               numbersThatFit(pen.run.explainer(), own ? compare : *pen.compare, test,
-                             right - textWidth(shown->answer.words) - 24 - numbers));
+                             right - textWidth(shown->answer.words) - 24 - numbers, pen.run.scale()));
       drawAnswer(pen, right, y, shown->answer);
     } else if (pen.view.asking || (own && pair && sorting)) {
       pen.softRight(right, y, own ? "does it tell?" : "?");
@@ -149,11 +150,14 @@ void drawFinding(SortPen& pen) {
   } else {
     y += pen.at.line;
   }
-  for (const std::string& line : broken(finding.why, room / kGlyphWidth)) {
-    if (y > at.y + at.height) break;
-    pen.ink(x, y, line);
-    y += pen.at.line;
+  std::vector<std::string> lines = broken(finding.why, room / kGlyphWidth);
+  const int rows = std::max(1, (at.y + at.height - y) / pen.at.line + 1);
+  if (std::ssize(lines) > rows) {
+    const std::string next = lines[rows];
+    lines.resize(rows);
+    lines.back() = fitting(lines.back() + " " + next, room);  // ends with ..
   }
+  for (const std::string& line : lines) pen.ink(x, y, line), y += pen.at.line;
 }
 
 }  // namespace xnewell

@@ -13,6 +13,7 @@ namespace xnewell {
 
 namespace {
 
+Range scaled(const Range& r, double scale) { return {r.low * scale, r.high * scale}; }
 std::string rangeText(const Range& r) { return fixed(r.low, 1) + ".." + fixed(r.high, 1); }
 
 /// A number with one decimal, or with enough to show that it is not 0.
@@ -31,14 +32,15 @@ std::vector<std::string> extentNumbers(const Range& P, const Range& Q) {
 }
 
 /// How many corners lie on the side that the test asks for, and the distance of each.
-std::vector<std::string> planeNumbers(const Explainer& explainer, int of, int other, bool behind) {
+std::vector<std::string> planeNumbers(const Explainer& explainer, int of, int other, bool behind,
+                                      double scale) {
   const std::vector<CornerDistance> corners = explainer.distances(of, other);
   int kept = 0, on = 0;  // on the plane, as far as rounding tells
   std::string each;
   for (const CornerDistance& c : corners) {
     kept += !c.mayBeOn && (behind ? c.sign < 0 : c.sign > 0);
     on += c.mayBeOn;
-    each += (each.empty() ? "" : " ") + distanceText(c);
+    each += (each.empty() ? "" : " ") + distanceText(c, scale);
   }
   const std::string side = behind ? "behind" : "in front";
   std::string count = std::to_string(kept) + " of " +
@@ -77,8 +79,12 @@ constexpr std::array<std::string_view, kFalsehoods.size()> kWrong{"The answer is
                                                                   "The pieces are exchanged.",
                                                                   "The pieces are not those of this plane.",
                                                                   "The pieces do not cover it once.",
+                                                                  "P has another outline in the scene.",
+                                                                  "This number is another polygon's.",
                                                                   "The shading is not copied.",
                                                                   "P is not there any more.",
+                                                                  "There is no such polygon.",
+                                                                  "P and Q are the same polygon.",
                                                                   "A polygon is lost."};
 
 std::string_view answerText(Verdict verdict) { return kAnswers[static_cast<std::size_t>(verdict)]; }
@@ -95,6 +101,14 @@ std::string sentenceOf(const SortRun& run) {
   if (saysNo(run, e)) {
     if (e.test == Test::Overlap) return "Where they overlap, P is nearer somewhere.";
     return run.explainer().sentence({.kind = e.kind, .test = Test::Overlap, .P = e.P, .Q = e.Q}, e.test);
+  }
+  if (run.theirs() && e.kind == Event::Kind::Take)
+    return run.isAdded() ? "No line takes it; line " + std::to_string(run.line()) + " is about it."
+                         : "It becomes P and gets a mark.";
+  if (run.theirs() && e.kind == Event::Kind::Split) {
+    const int behind = run.fragments().pieceOf(splits);
+    return "P is split by the plane of Q into " + run.name(behind) + ", behind it, and " +
+           run.name(behind + 1) + ", in front.";
   }
   std::string sentence = run.explainer().sentence(e, splits, run.asTested()->P != e.P);
   if (e.kind != Event::Kind::Compare)
@@ -115,12 +129,6 @@ bool isQuestion(const Event& event) {
   return event.kind == Event::Kind::Compare && event.test != Test::XExtents && event.test != Test::YExtents;
 }
 
-std::string numberAndPart(const SortRun& run, int id) {
-  const std::string part = run.fragments().part(id);
-  if (run.fragments().hasName(id)) return part;
-  return run.number(id) + (part.empty() ? "" : " " + part);
-}
-
 std::string stepInWords(const SortRun& run) {
   const std::optional<Event> e = run.asTested();
   if (!e) return "start: nothing is painted";
@@ -129,8 +137,9 @@ std::string stepInWords(const SortRun& run) {
       !run.theirs() || e->kind != Event::Kind::Compare
           ? ""
           : ' ' + std::string{shortNameOf(e->test)} + (saysNo(run, *e) ? " says no" : " says yes");
-  std::string words = line + std::string{wordFor(e->kind)} + test + ": P " + numberAndPart(run, e->P);
-  if (e->Q >= 0) words += ", Q " + numberAndPart(run, e->Q);
+  std::string words =
+      line + std::string{run.isAdded() ? "not taken" : wordFor(e->kind)} + test + ": P " + run.name(e->P);
+  if (e->Q >= 0) words += ", Q " + run.name(e->Q);
   return words;
 }
 
@@ -150,26 +159,26 @@ std::string_view nameOf(const SortRun& run, Landmark kind) {
   return run.theirs() && kind == Landmark::Failed ? "false" : kLandmarks[static_cast<int>(kind)].name;
 }
 
-std::string distanceText(const CornerDistance& corner) {
+std::string distanceText(const CornerDistance& corner, double scale) {
   if (corner.sign == 0) return "0.0";
-  return (corner.sign > 0 ? "+" : "-") + shown(std::abs(corner.inFront));
+  return (corner.sign > 0 ? "+" : "-") + shown(std::abs(corner.inFront) * scale);
 }
 
-std::vector<std::string> numbersOf(const Explainer& explainer, const Event& e, Test test) {
+std::vector<std::string> numbersOf(const Explainer& explainer, const Event& e, Test test, double scale) {
   if (const std::optional<PlaneTest> plane = planeTestOf(test))
-    return planeNumbers(explainer, plane->ofP ? e.P : e.Q, plane->ofP ? e.Q : e.P, plane->side < 0);
+    return planeNumbers(explainer, plane->ofP ? e.P : e.Q, plane->ofP ? e.Q : e.P, plane->side < 0, scale);
   switch (test) {
     case Test::XExtents:
-      return extentNumbers(explainer.xExtent(e.P), explainer.xExtent(e.Q));
+      return extentNumbers(scaled(explainer.xExtent(e.P), scale), scaled(explainer.xExtent(e.Q), scale));
     case Test::YExtents:
-      return extentNumbers(explainer.yExtent(e.P), explainer.yExtent(e.Q));
+      return extentNumbers(scaled(explainer.yExtent(e.P), scale), scaled(explainer.yExtent(e.Q), scale));
     case Test::Projections: {
       if (const std::optional<SeparatingEdge> edge = explainer.separatingEdge(e.P, e.Q))
         return {std::string{"an edge of "} + (edge->ofP ? "P has all of Q" : "Q has all of P") +
                     " on its other side",
                 std::string{"an edge of "} + (edge->ofP ? "P" : "Q") + " separates them",
                 "an edge separates them"};
-      const double shared = explainer.commonArea(e.P, e.Q).area;
+      const double shared = explainer.commonArea(e.P, e.Q).area * scale * scale;
       const std::string area = shared < 1000.0 ? shown(shared) : grouped(std::llround(shared));
       return {"they share " + area + " square px", area + " square px"};
     }
@@ -179,7 +188,7 @@ std::vector<std::string> numbersOf(const Explainer& explainer, const Event& e, T
               std::to_string(p) + ", " + std::to_string(q) + ": the later is nearer", "by number"};
     }
     case Test::Overlap: {
-      const Range ahead = explainer.commonArea(e.P, e.Q).aheadOfQ;
+      const Range ahead = scaled(explainer.commonArea(e.P, e.Q).aheadOfQ, scale);
       const std::string range = shown(ahead.low) + " to " + shown(ahead.high) + " px";
       return {ahead.high <= 0.0
                   ? "P is behind Q by " + shown(-ahead.high) + " to " + shown(-ahead.low) + " px"
@@ -191,8 +200,8 @@ std::vector<std::string> numbersOf(const Explainer& explainer, const Event& e, T
   }
 }
 
-std::string numbersThatFit(const Explainer& explainer, const Event& e, Test test, int width) {
-  const std::vector<std::string> texts = numbersOf(explainer, e, test);
+std::string numbersThatFit(const Explainer& explainer, const Event& e, Test test, int width, double scale) {
+  const std::vector<std::string> texts = numbersOf(explainer, e, test, scale);
   for (const std::string& text : texts)
     if (textWidth(text) <= width) return text;
   return fitting(texts.back(), width);
@@ -220,11 +229,13 @@ std::vector<ShownTest> testsShown(const SortRun& run, const Event& compare) {
   if (!run.theirs() || comparisonAt(run.sorted(), step) == nullptr) {
     for (const Test test : run.explainer().testsMade(compare))
       tests.push_back({test, answerOf(compare, test)});
+    if (run.theirs())
+      for (ShownTest& one : tests) one.answer = {Mark::None, "not made; it is " + one.answer.words};
     return tests;
   }
   for (const FalseStep* wrong : run.wrong())
     if (wrong->kind == Falsehood::LeftOut)
-      tests.push_back({*wrong->test, {Mark::Cross, "left out; it is yes"}});
+      tests.push_back({*wrong->test, {Mark::None, "left out; it is yes"}});
   while (events[step - 1].kind != Event::Kind::Compare) --step;
   const int P = events[step - 1].P, Q = events[step - 1].Q;
   for (; step > 0; --step) {
@@ -252,7 +263,10 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
   const auto polygons = static_cast<std::int64_t>(run.sorted().list.size());
   if (e == nullptr && run.theirs()) {
     const auto wrong = std::ssize(run.landmarks().steps(Landmark::Failed));
-    return {wrong == 0 ? "No step of this run is false."
+    const int untested = run.theirs()->report.untested;
+    return {wrong == 0 ? untested == 0 ? "No step of this run is false."
+                                       : "No step is false, but " + counted(untested, "pair") +
+                                             (untested == 1 ? " was" : " were") + " never tested."
                        : counted(wrong, "step") + " of this run " + (wrong == 1 ? "is" : "are") + " false.",
             wrong == 0
                 ? "Each step is shown beside what is right."
@@ -273,7 +287,7 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
   StepFinding finding{.bold = "", .why = sentenceOf(run)};
   const std::vector<const FalseStep*> wrong = run.wrong();
   finding.bold = kFindings[static_cast<std::size_t>(e->kind)];
-  if (e->kind == Event::Kind::Take) finding.bold = "P is " + numberAndPart(run, e->P) + ".";
+  if (e->kind == Event::Kind::Take) finding.bold = "P is " + run.name(e->P) + ".";
   if (e->kind == Event::Kind::Compare) finding.bold = kVerdicts[static_cast<std::size_t>(e->verdict)];
   if (e->kind == Event::Kind::Split) {
     if (run.asTested()->P != e->P) finding.bold = "Q is cut in two.";
@@ -311,11 +325,11 @@ std::vector<std::string> stepAsLines(const SortRun& run, const SortView& view) {
   if (e && e->kind == Event::Kind::Compare && !view.own)
     for (const auto& [test, answer] : testsShown(run, *e))
       lines.push_back(std::string{shortNameOf(test)} + "   " + std::string{questionOf(test)} + "   " +
-                      numbersOf(run.explainer(), *e, test).front() + "   " + answer.words);
+                      numbersOf(run.explainer(), *e, test, run.scale()).front() + "   " + answer.words);
   const StepFinding finding = findingOf(run, view);
   if (view.own && view.own->P >= 0) {
-    lines.back() = "you sort: P " + numberAndPart(run, view.own->P);
-    if (view.own->Q >= 0) lines.back() += ", Q " + numberAndPart(run, view.own->Q);
+    lines.back() = "you sort: P " + run.name(view.own->P);
+    if (view.own->Q >= 0) lines.back() += ", Q " + run.name(view.own->Q);
     if (!finding.aside.empty()) lines.push_back(finding.aside);
   }
   lines.push_back(finding.bold);

@@ -15,8 +15,6 @@ namespace xnewell {
 /// y.
 [[nodiscard]] bool isQuestion(const Event& event);
 
-/// `85 body`
-[[nodiscard]] std::string numberAndPart(const SortRun& run, int id);
 /// `test: P 85 body, Q 482 spout`; shorter if there is no Q.
 [[nodiscard]] std::string stepInWords(const SortRun& run);
 
@@ -29,19 +27,21 @@ namespace xnewell {
 
 /// A distance with its sign, `+3.1`, and enough decimals to show that it is not 0. A distance of exactly 0
 /// has no sign.
-[[nodiscard]] std::string distanceText(const CornerDistance& corner);
+[[nodiscard]] std::string distanceText(const CornerDistance& corner, double scale = 1);
 
-/// The numbers that decide a test of a Compare event, in several wordings, the longest first.
-[[nodiscard]] std::vector<std::string> numbersOf(const Explainer& explainer, const Event& compare, Test test);
+/// The numbers that decide a test of a Compare event, in several wordings, the longest first. Here and above
+/// `scale` is that of SortRun.
+[[nodiscard]] std::vector<std::string> numbersOf(const Explainer& explainer, const Event& compare, Test test,
+                                                 double scale = 1);
 
 /// The first of these that is at most `width` pixels wide, or else as much of the last as fits.
 [[nodiscard]] std::string numbersThatFit(const Explainer& explainer, const Event& compare, Test test,
-                                         int width);
+                                         int width, double scale = 1);
 /// As much of a text as fits.
 [[nodiscard]] std::string fitting(std::string_view text, int width);
 
 struct TestAnswer {
-  enum class Mark { Tick, Cross } mark;
+  enum class Mark { Tick, Cross, None } mark;
   std::string words;  ///< `no`, `yes, P first`
 };
 [[nodiscard]] TestAnswer answerOf(const Event& compare, Test test);

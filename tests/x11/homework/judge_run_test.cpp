@@ -45,6 +45,7 @@ TEST(JudgeRun, LegalChoicesAreRight) {
       ++ended;
       const RunReport report = judgeRun(picture, RunFile{file});
       ASSERT_TRUE(report.wrong.empty()) << name << ' ' << seed << ": " << toldOf(report);
+      ASSERT_EQ(report.untested, 0) << name << ' ' << seed;
     }
   }
   EXPECT_GE(ended, 400);
@@ -92,12 +93,13 @@ TEST(JudgeRun, OwnRunsAreRight) {
       const Picture picture = pictureOf(scene.name);
       if (textbook && picture.snapped().faces.size() > 400) continue;
       Options options;
-      options.quick = !textbook;
+      options.quick = !textbook, options.scene = scene.name;
       std::ofstream out{folder.file("run.jsonl")};
       printTrace(options, picture, recordedRun(options, picture), out);
       out.close();
       const RunReport report = judgeRun(picture, RunFile{folder.file("run.jsonl")});
       EXPECT_TRUE(report.wrong.empty()) << scene.name << ' ' << textbook << ": " << toldOf(report);
+      EXPECT_EQ(report.untested, 0) << scene.name << ' ' << textbook;
     }
 }
 

@@ -77,13 +77,13 @@ TEST(OwnPage, TestsThatFailDoNotCount) {
 // move they have changed places.
 TEST(OwnPage, NamesAreThoseOfThePage) {
   OwnPage page{"cycle"};
-  const auto named = [&](int id) { return "polygon " + numberAndPart(page.run(), id); };
+  const auto named = [&](int id) { return "polygon " + page.run().name(id); };
   const auto says = [&](const std::string& words) {
     return (page.own().bold + ' ' + page.own().why).find(words) != std::string::npos;
   };
   const int P = page.own().P;
   page.press("c");
-  EXPECT_EQ(page.own().bold, "Polygon " + numberAndPart(page.run(), P) + " is cut in two.");
+  EXPECT_EQ(page.own().bold, "Polygon " + page.run().name(P) + " is cut in two.");
   EXPECT_TRUE(says("Behind lies " + named(page.own().P) + ", in front " + named(page.own().P + 1) + "."))
       << page.own().why;
   const std::string first = named(page.own().P);
