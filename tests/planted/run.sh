@@ -1,32 +1,30 @@
 #!/usr/bin/env bash
 # tests/planted/run.sh [--check] [TEXT]: plants each mistake of mistakes.txt whose line contains TEXT, by itself, and
-# expects that its test fails. --check only looks whether each old text stands in its file exactly once.
-# It works in a copy of the tree, build/planted. Exit status: 0, or 1 if a mistake was not found or could not be planted.
+# expects that its test fails. --check only looks whether each old text stands in its file exactly once. It works in a
+# copy of the tree, build/planted. Exit status: 0, or 1 if a mistake was not found or could not be planted.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.." && pwd -P)
 copy=$root/build/planted rows=() lost=0 planted='' check=''
 [[ ${1:-} != --check ]] || { check=yes && shift; }
 
-# Reads a row into file, old, new, program, filter, what, and the file's text.
+# Reads a row into file, old, new, program, filter and what, and the file into text.
 take() {
   IFS=$'\x1f' read -r file old new test what <<<"${1// ### /$'\x1f'}"
   read -r program filter <<<"$test"
   text=$(cat "$root/$file" 2>/dev/null || true)
 }
 restore() { [[ ! $planted ]] || cp "$root/$planted" "$copy/$planted"; planted=''; }
+sources() { (cd "$1" && find . \( -path ./build -o -path ./.git \) -prune -o -type f -print0); }
 # Writes only what differs, so that only this is compiled again.
 renew() {
-  local sources=(\( -path ./build -o -path ./.git \) -prune -o -type f -print0) file
   mkdir -p "$copy"
-  (cd "$copy" && find . "${sources[@]}") | while IFS= read -r -d '' file; do
-    [[ -f $root/$file ]] || rm "$copy/$file"
-  done
-  (cd "$root" && find . "${sources[@]}") | while IFS= read -r -d '' file; do
+  while IFS= read -r -d '' file; do [[ -f $root/$file ]] || rm "$copy/$file"; done < <(sources "$copy")
+  while IFS= read -r -d '' file; do
     cmp -s "$root/$file" "$copy/$file" || { mkdir -p "$copy/${file%/*}" && cp "$root/$file" "$copy/$file"; }
-  done
+  done < <(sources "$root")
 }
 build() { (cd "$copy" && cmake --build --preset release --target "$1") >"$copy/build/log" 2>&1 </dev/null; }
-passes() { (cd "$copy/build/release/tests" && timeout 600 "./$1" --gtest_filter="$2") >"$copy/build/log" 2>&1 </dev/null; }
+passes() { (cd "$copy/build" && timeout 600 "release/tests/$1" --gtest_filter="$2") >"$copy/build/log" 2>&1 </dev/null; }
 fail() { printf '%s\n' "$1" && lost=$((lost + 1)); }
 
 while IFS= read -r row; do
@@ -46,9 +44,8 @@ renew
 command -v ccache >/dev/null && export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 (cd "$copy" && cmake --preset release -DXNEWELL_TESTS=ON >/dev/null)
 declare -A filters=()
-for row in "${rows[@]}"; do take "$row" && filters[$program]+=$filter:; done
-unset 'filters[none]'
-for program in "${!filters[@]}"; do
+for row in "${rows[@]}"; do take "$row" && [[ $program == none ]] || filters[$program]+=$filter:; done
+for program in "${!filters[@]}"; do  # without a mistake
   build "$program" && passes "$program" "${filters[$program]}" || { cat "$copy/build/log" && exit 1; }
 done
 for row in "${rows[@]}"; do
