@@ -6,7 +6,6 @@ set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.." && pwd -P)
 copy=$root/build/planted rows=() lost=0 planted='' check=''
 [[ ${1:-} != --check ]] || { check=yes && shift; }
-
 # Reads a row into file, old, new, program, filter and what, and the file into text.
 take() {
   IFS=$'\x1f' read -r file old new test what <<<"${1// ### /$'\x1f'}"
@@ -38,15 +37,14 @@ while IFS= read -r row; do
 done <"$root/tests/planted/mistakes.txt"
 [[ ! $check ]] || { echo "${#rows[@]} mistakes can be planted, $lost cannot" && exit $((lost > 0)); }
 
-trap restore EXIT
-trap 'exit 130' INT TERM
+trap restore EXIT && trap 'exit 130' INT TERM
 renew
 command -v ccache >/dev/null && export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 (cd "$copy" && cmake --preset release -DXNEWELL_TESTS=ON >/dev/null)
 declare -A filters=()
 for row in "${rows[@]}"; do take "$row" && [[ $program == none ]] || filters[$program]+=$filter:; done
 for program in "${!filters[@]}"; do  # without a mistake
-  build "$program" && passes "$program" "${filters[$program]}" || { cat "$copy/build/log" && exit 1; }
+  { build "$program" && passes "$program" "${filters[$program]}"; } || { cat "$copy/build/log" && exit 1; }
 done
 for row in "${rows[@]}"; do
   take "$row"
