@@ -91,7 +91,8 @@ TEST(ToNumber, RefusesOverflow) {
   const std::string small = "0." + std::string(400, '0') + "1e800";  // a small mantissa, but too large
   for (const std::string& word :
        {std::string{"1.7976931348623159e308"}, std::string{"-1e309"}, std::string{"+1e400"},
-        std::string{"1e99999999999999999999"}, "1" + std::string(309, '0'), small}) {
+        std::string{"1e99999999999999999999"}, "1" + std::string(309, '0'), small,
+        "1." + std::string(800, '0') + "e400"}) {
     EXPECT_EQ(complaint([&] { return numberIn(word); }),
               "n.obj:1: number " + inQuotes(word) + " is too large");
   }

@@ -212,8 +212,15 @@ TEST(Explain, SentencesNameTheirPolygons) {
       std::vector<std::string> sentences{explainer.sentence(e, splits)};
       splits += e.kind == Event::Kind::Split;
       if (e.kind == Event::Kind::Compare)
-        for (const xnewell::Test test : explainer.testsMade(e))
+        for (const xnewell::Test test : explainer.testsMade(e)) {
           sentences.push_back(explainer.sentence(e, test));
+          // A plane test fails by a part on the other side.
+          if (const auto plane = planeTestOf(test); plane && test != e.test) {
+            ASSERT_NE(sentences.back().find(plane->side < 0 ? "in front of the plane" : "behind the plane"),
+                      std::string::npos)
+                << sentences.back();
+          }
+        }
       for (const std::string& s : sentences) {
         ASSERT_TRUE(s.ends_with('.') && s.find_first_of("{}") == std::string::npos) << s;
         if (e.kind != Event::Kind::Move) {

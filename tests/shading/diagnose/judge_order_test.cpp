@@ -133,6 +133,9 @@ TEST(JudgeOrder, CountsFacesAndPieces) {
 
   std::vector<PaintStep> steps = stepsOf({0, 1, 2});
   const OrderReport whole = judgeOrder(picture, steps);
+  steps.push_back({2, {{0, 0}, {80, 0}, {80, 120}}, 4});
+  EXPECT_EQ(judgeOrder(picture, steps).repeated, std::vector{2}) << "whole and in a piece";
+  steps.pop_back();
   steps[0].piece = {{0, 0}, {80, 0}, {80, 120}, {0, 120}};
   steps.insert(steps.begin() + 1, PaintStep{0, {{80, 0}, {160, 0}, {160, 120}, {80, 120}}, 9});
   report = judgeOrder(picture, steps);
@@ -193,6 +196,7 @@ TEST(PaintSteps, AreReadOrRefused) {
   refused("{\"face\": 1, \"piece\": [[1, 2], [3, 4], [5, 1e9]]}", "a million pixels");
   refused("{\"face\": 1, \"piece\": [[1, 2], [3, 4], [5]]}", "[x, y]");
   refused("{\"face\": 1, \"face\": 2}", "a:1: the key 'face' appears twice in an object");
+  refused("{\"face\": 1}\n{\"face\": 0, \"face\": 2}", "a:2: the key 'face' appears twice in an object");
 
   // The size, and the same text again.
   const std::string sized =

@@ -48,12 +48,15 @@ void expectExplained(const Picture& picture, Seen& seen) {
           ASSERT_NEAR(glm::dot(light.R, with), light.cosine, 1e-12) << "the vector does not have the cosine";
           ASSERT_NEAR(glm::dot(one.N, light.L), light.NdotL, 1e-12);
         }
+      bool outside = false;
       for (const ExplainedEquation& one : e.equations)
         for (int c = 0; c < e.channels; ++c) {
           double sum = one.ambient[c];
           for (const ExplainedLight& light : one.lights) sum += light.diffuse[c] + light.specular[c];
           ASSERT_EQ(sum, one.I[c]) << "the terms do not add up";
+          outside |= sum < 0.0 || sum > 1.0;
         }
+      ASSERT_EQ(e.clamped, outside) << "pixel " << i << ", " << j;
       double onScreen = 0, inWorld = 0;
       for (const ExplainedVertex& v : e.vertices) onScreen += v.onScreen, inWorld += v.inWorld;
       if (e.vertices.size() == 3) {

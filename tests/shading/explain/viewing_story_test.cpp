@@ -144,6 +144,8 @@ TEST(ViewingStory, SaysWhatClippingDoes) {
   EXPECT_EQ(right.cut, 1u);
   EXPECT_EQ(right.outside, 1u);
   EXPECT_EQ(clipPlaneName(0), "front");
+  EXPECT_TRUE(right.stages.outside({0, 1e6, 0}) >> 4 & 1u);
+  EXPECT_EQ(clipPlaneName(4), "top");
   EXPECT_FALSE(right.snapped);
   EXPECT_FALSE(right.faceGone);
   const ViewingStory left{cardLitFrom({0, 0, 1}, camera), {0, 0}};

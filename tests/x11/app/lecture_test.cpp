@@ -208,6 +208,7 @@ TEST_F(LectureTest, PagesNameControls) {
   shown.finish();
   EXPECT_EQ(keys(), "");
   EXPECT_GT(shown.layout().picture.width, beside);
+  EXPECT_TRUE(intersection(shown.layout().picture, shown.layout().finding).empty());
   shown.type("D");
   shown.finish();
   EXPECT_EQ(keys(), "Ssn");

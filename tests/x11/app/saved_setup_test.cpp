@@ -36,6 +36,8 @@ TEST(SavedSetup, OpensAsTheSameWindow) {
   b.type("SSrNKs");
   b.type("q");
   EXPECT_FALSE(b.quitAsked());  // the change has not been saved
+  b.type("sq");
+  EXPECT_FALSE(b.quitAsked());  // another key came between
   b.type("e");
   EXPECT_EQ(b.view(), View::Picture);
   b.press({NamedKey::Return});  // the file that it knows

@@ -179,6 +179,10 @@ TEST(Workbench, EverySizeDraws) {
     EXPECT_EQ(b.layout().roomy, w >= 800 && h >= 540);
     const Rect& at = b.layout().picture;
     EXPECT_EQ(intersection(at, {0, 0, w, h}), at);
+    const Rect& status = b.layout().status;  // its words end before the margin
+    for (int y = status.y + 1; y < status.y + status.height; ++y)
+      EXPECT_EQ(std::ranges::count(b.image().row(y) + w - kMargin, b.image().row(y) + w, *b.image().row(y)),
+                kMargin);
     b.type("?");
     b.update();
   }

@@ -19,6 +19,7 @@ TEST(Labels, KeepAGap) {
     ASSERT_TRUE(a);
     if (!b) continue;
     ++placed;
+    EXPECT_LE(b->x + b->width, 400);
     if (a->y + a->height <= b->y || b->y + b->height <= a->y) continue;
     EXPECT_GE(std::max(a->x, b->x) - std::min(a->x + a->width, b->x + b->width), Labels::kGap);
   }

@@ -27,20 +27,23 @@ TEST(KeyTable, ActsOrSaysWhyNot) {
        "move",
        "move it",
        [&](const Key& key) { by += (key.name == NamedKey::Left ? -1 : 1) * (key.shift ? 10 : 1); }},
-      {{'k'}, "", "keep it", [&](const Key&) { by = 1000; }, "There is nothing to keep."}};
+      {{'k'}, "", "keep it", [&](const Key&) { by = 1000; }, "There is nothing to keep."},
+      {.keys = {'w'}, .act = [&](const Key&) { by = 1000; }, .waits = true}};
   Listener user;
   EXPECT_TRUE(pressIn(table, NamedKey::Right, user));
   EXPECT_TRUE(pressIn(table, {NamedKey::Left, 0, true}, user));
   EXPECT_EQ(by, -9);
   EXPECT_TRUE(user.notices.empty());
   EXPECT_TRUE(pressIn(table, 'k', user));
+  EXPECT_TRUE(pressIn(table, 'w', user));
   EXPECT_EQ(by, -9);
   EXPECT_EQ(user.notices, std::vector<std::string>{"There is nothing to keep."});
   EXPECT_FALSE(pressIn(table, 'K', user));
   EXPECT_FALSE(pressIn(table, NamedKey::Up, user));
 }
 
-// A key that is taken keeps its meaning when more rows come; what is left of the new rows is added.
+// A key that is taken keeps its meaning when more rows come, unless it is idle; what is left of the new rows
+// is added.
 TEST(KeyTable, TheFirstMeaningWins) {
   KeyTable table{{{'a'}, "one", "one"}};
   append(table, {{{'a', 'b'}, "two", "two"}, {{'a'}, "three", "three"}, {.does = "four", .gesture = "drag"}});
@@ -48,6 +51,9 @@ TEST(KeyTable, TheFirstMeaningWins) {
   EXPECT_EQ(rowOf(table, 'a')->does, "one");
   EXPECT_EQ(rowOf(table, 'b')->does, "two");
   EXPECT_EQ(table.back().gesture, "drag");
+  KeyTable idle{{.keys = {'a'}, .does = "idle", .idle = true}};
+  append(idle, {{{'a'}, "two", "two"}});
+  EXPECT_EQ(rowOf(idle, 'a')->does, "two");
 }
 
 // The last line and the list of all keys are written from the rows. Neighbours with the same words are one

@@ -191,6 +191,7 @@ TEST(SortPage, NumbersAreTheExplainers) {
           case xnewell::Test::XExtents:
           case xnewell::Test::YExtents:
             EXPECT_EQ(texts[0].find("apart") != std::string::npos, test == e.test) << texts[0];
+            EXPECT_EQ(texts.back().find('-'), std::string::npos) << texts.back();
             break;
           case xnewell::Test::Projections:
             EXPECT_EQ(texts[0].find("share") == std::string::npos, test == e.test) << texts[0];

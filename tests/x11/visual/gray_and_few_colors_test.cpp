@@ -81,7 +81,9 @@ TEST(FewColors, TheWindowFollows) {
     EXPECT_TRUE(viewer.window.comesToShow(freshWindow(server, line), seen));
     viewer.window.type("H");
     EXPECT_TRUE(viewer.window.comesToShow(freshWindow(server, line + " --hue 1,0.7,0"), seen));
-    viewer.window.type("F");
+    viewer.window.type("uF");
+    EXPECT_TRUE(viewer.window.comesToShow(freshWindow(server, line + " --fill x11"), seen));
+    viewer.window.type("H");  // what the server fills follows, too
     EXPECT_TRUE(viewer.window.comesToShow(freshWindow(server, line + " --hue 1,0.7,0 --fill x11"), seen));
   }
 }
