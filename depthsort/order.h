@@ -15,8 +15,8 @@ enum class Order { Unsorted, ZMean, ZSort, Newell, Bsp, ZBuffer16, ZBuffer24, ZB
 struct OrderRow {
   Order id;
   std::string_view name, label, rule;
-  std::string_view inWords;  ///< for a caption
-  std::string_view words;    ///< where two set-ups are compared
+  std::string_view text;   ///< for a caption
+  std::string_view words;  ///< where two set-ups are compared
   /// True if every sample shows the right face of the snapped scene, except at contacts (depth_sort.h). These
   /// methods compare planes (scene_planes.h); the others need no planes.
   bool exact = false;

@@ -70,7 +70,7 @@ int readExponent(Words& words) {
 }
 
 /// True if a statement that has no place leaves the picture as it is: an opaque surface that does not shine.
-bool isMoot(std::string_view key, Words& words) {
+bool hasNoEffect(std::string_view key, Words& words) {
   const double none = key == "d" ? 1.0 : 0.0;
   if (key != "d" && key != "Tr" && key != "Ke") return false;
   for (std::string_view word = words.next(); !word.empty(); word = words.next())
@@ -139,7 +139,7 @@ MtlLibrary parseMtl(std::string_view text, const std::string& name) {
           library.notes.emplace_back(
               ParseError{name, words.line(), "map_Kd is read without " + std::string{option}}.what());
       });
-    } else if (!key.empty() && current && !isMoot(key, words)) {
+    } else if (!key.empty() && current && !hasNoEffect(key, words)) {
       leftOut.add(key);
     }
   }

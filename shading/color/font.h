@@ -8,8 +8,8 @@
 
 namespace xnewell {
 
-/// The one font of the program: misc-fixed 6x13, the `fixed` of every X server, public domain. It is read from
-/// its package when the program is built (make_font.cpp), so that words look the same with and without a
+/// The one font of the program: misc-fixed 6x13, the `fixed` of every X server, public domain. It is read
+/// from its package when the program is built (make_font.cpp), so that words look the same with and without a
 /// server.
 
 inline constexpr int kGlyphWidth = 6, kGlyphHeight = 13;

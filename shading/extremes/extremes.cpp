@@ -87,7 +87,7 @@ int mergedShades(const ColorTable& table) {
 }
 
 void judge(ExtremeStep& step, const Picture& picture) {
-  step.seen = judgedByRays(picture);
+  step.seen = byGroundTruth(picture);
   step.shadesOff = shadesOff(picture);
   step.merged = mergedShades(picture.table());
 }

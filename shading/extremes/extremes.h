@@ -16,7 +16,7 @@ namespace xnewell {
 struct ExtremeStep {
   double value = 0;
   std::string refused = {};  ///< why no picture could be made; "" if there is one
-  JudgedByRays seen = {};    ///< which faces it shows
+  ByGroundTruth seen = {};   ///< which faces it shows
   /// The most by which the cell of a sample is off, in shades of its ramp: from the cell of the intensity in
   /// double precision.
   int shadesOff = 0;

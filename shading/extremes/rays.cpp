@@ -160,12 +160,12 @@ bool isDoubtful(const Rays& rays, int shown, int nearest, TwoDoubles x, TwoDoubl
 
 }  // namespace
 
-JudgedByRays judgedByRays(const Picture& picture) {
+ByGroundTruth byGroundTruth(const Picture& picture) {
   const int width = picture.settings().width, height = picture.settings().height;
   const Rays rays{picture.scene(), picture.camera(), picture.settings()};
   const std::vector<std::uint32_t> shown = picture.faceImage();
   const double zStep = std::ldexp(1.0 / kGrid, picture.snapped().zShift);
-  JudgedByRays judged;
+  ByGroundTruth judged;
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) {
       const int face = static_cast<int>(shown[std::size_t(j) * width + i]) - 1;  // -1 where none shows

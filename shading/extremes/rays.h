@@ -67,13 +67,13 @@ class Rays {
 /// a place that close. And the rounding of the file may move a plane: two planes that are no farther apart
 /// than that may show either face. A sample is doubtful, and not wrong, if rounding in the snap can let the
 /// farther face look nearer: it moves each corner by up to half a step of the grid in x, y and z.
-struct JudgedByRays {
+struct ByGroundTruth {
   int samples = 0;    ///< that show a face or should show one
   int wrong = 0;      ///< that show another face than the rays, or none
   int missing = 0;    ///< those of them that show none
   int doubtful = 0;   ///< that show another face than the rays, as near as the snap can tell
   double behind = 0;  ///< the most by which a shown face lies behind the nearest, as a share of its distance
 };
-[[nodiscard]] JudgedByRays judgedByRays(const Picture& picture);
+[[nodiscard]] ByGroundTruth byGroundTruth(const Picture& picture);
 
 }  // namespace xnewell

@@ -35,7 +35,7 @@ bool has(const SnappedScene& scene, const SnappedFace& face, std::int64_t x, std
 
 }  // namespace
 
-std::optional<PatchDistance> distanceFromPatches(const TrueView& view) {
+std::optional<PatchDistance> distanceFromPatches(const PolygonGroundTruth& view) {
   PatchDistance result;
   const TrueSurface& surface = view.surface();
   for (std::size_t k = 0; k < view.faces().size(); ++k) {
@@ -82,7 +82,7 @@ ErrorMap errorMap(std::vector<float> at, int width, double unit) {
 }
 
 Comparison::Comparison(const Picture& picture, const Reference& reference, const Palette& palette,
-                       const TrueView& ofItsPolygons)
+                       const PolygonGroundTruth& ofItsPolygons)
     : picture_{picture},
       reference_{reference},
       polygons_{ofItsPolygons},
@@ -259,7 +259,7 @@ Errors errorsOf(const Comparison& comparison) {
 }
 
 Errors errorsOf(const Picture& picture, const Palette& palette) {
-  const Truth truth{picture};
+  const GroundTruth truth{picture};
   Errors errors = errorsOf(Comparison{picture, truth, palette});
   errors.patches = distanceFromPatches(truth.polygons());
   return errors;

@@ -8,11 +8,11 @@
 
 #include "depthsort/oracle.h"
 #include "shading/color/palette.h"
-#include "shading/laboratory/truth.h"
+#include "shading/laboratory/ground_truth.h"
 
 namespace xnewell {
 
-/// How wrong is a picture, by which measure, and where? The Truth tells what is right, unless a
+/// How wrong is a picture, by which measure, and where? The ground truth tells what is right, unless a
 /// Comparison is given another reference.
 
 /// The mean, the root mean square, the 99th percentile and the largest of some errors. All are 0 if there are
@@ -48,10 +48,10 @@ class Comparison {
   /// view of the picture's own polygons. It tells which face should show, and `reference` tells the light.
   /// All outlive this.
   Comparison(const Picture& picture, const Reference& reference, const Palette& palette,
-             const TrueView& ofItsPolygons);
+             const PolygonGroundTruth& ofItsPolygons);
   Comparison(const Picture& picture, const Reference& reference, const Palette& palette)
       : Comparison{picture, reference, palette, reference} {}
-  Comparison(const Picture& picture, const Truth& truth, const Palette& palette)
+  Comparison(const Picture& picture, const GroundTruth& truth, const Palette& palette)
       : Comparison{picture, truth.reference(), palette, truth.polygons()} {}
 
   /// The error of the intensity.
@@ -99,7 +99,7 @@ class Comparison {
 
   const Picture& picture_;
   const Reference& reference_;
-  const TrueView& polygons_;
+  const PolygonGroundTruth& polygons_;
   const Palette& palette_;
   SeenRows faces_;
   std::array<glm::dvec3, 256> ofCell_;  ///< the intensities that a cell stands for
@@ -132,7 +132,7 @@ struct PatchDistance {
 };
 
 /// Nothing if no sample shows a patch.
-[[nodiscard]] std::optional<PatchDistance> distanceFromPatches(const TrueView& view);
+[[nodiscard]] std::optional<PatchDistance> distanceFromPatches(const PolygonGroundTruth& view);
 
 struct Errors {
   std::int64_t samples = 0;  ///< samples at which the picture or the reference shows a face

@@ -139,9 +139,9 @@ class SceneShading {
 
   /// One channel. When the eye moves, the diffuse terms stay valid unless the polygons are divided again.
   struct Lit {
-    Kept<OfDiffuse, Terms> diffuse;
-    Kept<OfSpecular, Terms> specular;
-    Kept<OfIntensities, Intensities> intensities;
+    Cached<OfDiffuse, Terms> diffuse;
+    Cached<OfSpecular, Terms> specular;
+    Cached<OfIntensities, Intensities> intensities;
   };
   struct Maps {
     std::array<std::vector<Environment>, 3> environments;
@@ -156,12 +156,12 @@ class SceneShading {
   [[nodiscard]] Maps makeMaps(const Scene& scene, const PictureSettings& settings,
                               const Camera& camera) const;
 
-  Kept<OfLighting, Lighting> lighting_;
-  Kept<OfPoints, Own> own_;
-  Kept<OfRefined, std::optional<Refined>> refined_;
+  Cached<OfLighting, Lighting> lighting_;
+  Cached<OfPoints, Own> own_;
+  Cached<OfRefined, std::optional<Refined>> refined_;
   std::array<Lit, 3> lit_;
-  Kept<std::array<Shared<Intensities>, 3>, Intensities> luminance_;  ///< only if lighting().luminance
-  Kept<OfMaps, Maps> maps_;
+  Cached<std::array<Shared<Intensities>, 3>, Intensities> luminance_;  ///< only if lighting().luminance
+  Cached<OfMaps, Maps> maps_;
 };
 
 }  // namespace xnewell

@@ -25,7 +25,7 @@ class Shared {
 /// The result of a stage, with the key that it was made from: all that the result depends on. A key may have
 /// the result of another stage as a member (Shared). Copies share the result.
 template <class Key, class Value>
-class Kept {
+class Cached {
  public:
   /// Keeps the result if `key` equals the key that it was made from. Otherwise `make` makes it anew; if that
   /// throws, the old result stays.

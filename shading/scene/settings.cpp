@@ -18,7 +18,7 @@ bool within(const ValueRange& range, double v) {
 }
 
 /// " from 0 to 1", " between 0 and 1", " above 0", " of at least 0".
-std::string inWords(const ValueRange& range) {
+std::string wordsOf(const ValueRange& range) {
   if (range.low == -kInfinity) return "";
   const std::string low = textOf(range.low), high = textOf(range.high);
   if (range.high == kInfinity) return (range.open ? " above " : " of at least ") + low;
@@ -26,7 +26,7 @@ std::string inWords(const ValueRange& range) {
 }
 
 /// A number with as many decimals as it needs, up to six.
-std::string inWords(double v) {
+std::string wordsOf(double v) {
   std::array<char, 400> text;
   for (int decimals = 0;; ++decimals) {
     const auto [end, error] = std::to_chars(text.begin(), text.end(), v, std::chars_format::fixed, decimals);
@@ -36,12 +36,12 @@ std::string inWords(double v) {
   }
 }
 
-std::string inWords(const Setting& setting, const Value& value) {
+std::string wordsOf(const Setting& setting, const Value& value) {
   if (const auto* v = std::get_if<glm::dvec3>(&value))
-    return inWords(v->x) + ", " + inWords(v->y) + ", " + inWords(v->z);
+    return wordsOf(v->x) + ", " + wordsOf(v->y) + ", " + wordsOf(v->z);
   const auto* v = std::get_if<double>(&value);
   if (!v) return std::string{setting.initially};
-  return setting.field.kind == ValueKind::Choice ? textOf(setting, value) : inWords(*v);
+  return setting.field.kind == ValueKind::Choice ? textOf(setting, value) : wordsOf(*v);
 }
 
 /// The words for a value that say it without the setting's name; "" if there are none.
@@ -93,9 +93,9 @@ bool allows(const Setting& setting, const Value& value) {
 std::string expected(const Setting& setting) {
   switch (setting.field.kind) {
     case ValueKind::Number:
-      return "a number" + inWords(setting.range);
+      return "a number" + wordsOf(setting.range);
     case ValueKind::Whole:
-      return "a whole number" + inWords(setting.range);
+      return "a whole number" + wordsOf(setting.range);
     case ValueKind::Flag:
       return "true or false";
     case ValueKind::Choice: {
@@ -105,7 +105,7 @@ std::string expected(const Setting& setting) {
       return all;
     }
     case ValueKind::Triple:
-      return "three finite numbers " + std::string{setting.letters} + inWords(setting.range) +
+      return "three finite numbers " + std::string{setting.letters} + wordsOf(setting.range) +
              (setting.allowed ? ", " + std::string{setting.allowedAre} : "");
   }
   return "";
@@ -140,7 +140,7 @@ std::string textOf(const Setting& setting, const Value& value) {
 std::string phraseOf(const Setting& setting, const PictureSettings& settings) {
   const Value now = setting.field.get(settings);
   if (const std::string_view own = ownWords(setting, now); !own.empty()) return std::string{own};
-  const std::string value = inWords(setting, now);
+  const std::string value = wordsOf(setting, now);
   if (const std::size_t at = setting.phrase.find("{}"); at != std::string_view::npos)
     return std::string{setting.phrase}.replace(at, 2, value);
   return std::string{setting.label} + ' ' + value +

@@ -138,8 +138,8 @@ struct Setting {
   std::string_view differsIn = {};
   /// For example "{} shades". If it is empty, the label and the value are used.
   std::string_view phrase = {};
-  FlagWords words = {};     ///< of a flag; a choice has its words in its rows (Choice::words)
-  bool alwaysSaid = false;  ///< named even if two set-ups agree in it
+  FlagWords words = {};      ///< of a flag; a choice has its words in its rows (Choice::words)
+  bool alwaysNamed = false;  ///< named even if two set-ups agree in it
 };
 
 [[nodiscard]] const std::vector<Setting>& settingRows();

@@ -82,10 +82,10 @@ Measure::Measure(const Shared<Scene>& scene, const PictureSettings& settings)
     : scenes_{{scene->divisions, scene}},
       fine_{fineSceneOf(*scene)},
       asked_{held(PictureCache{scenes_.begin()->second}.make(settings), groundOf(settings)).onlyShown()},
-      here_{sightOf(asked_.settings().camera, settings, !fine_)} {
+      here_{seenFrom(asked_.settings().camera, settings, !fine_)} {
   for (const glm::dvec2& turn : kTurns) try {
       others_.push_back(
-          sightOf(moved(settings.camera, asked_.camera(), *scene, turn.x, turn.y, 1.0), settings, false));
+          seenFrom(moved(settings.camera, asked_.camera(), *scene, turn.x, turn.y, 1.0), settings, false));
     } catch (const ViewError&) {
       continue;  // nothing can be seen from there
     }
@@ -97,8 +97,8 @@ const Shared<Scene>& Measure::scene(int divisions) {
   return scenes_.emplace(divisions, dividedAnew(asked_.scene(), divisions)).first->second;
 }
 
-Measure::Sight Measure::sightOf(const CameraSettings& camera, const PictureSettings& settings,
-                                bool keepsFaces) {
+Measure::SeenFrom Measure::seenFrom(const CameraSettings& camera, const PictureSettings& settings,
+                                    bool keepsFaces) {
   PictureSettings seen = trueSettings(settings);
   seen.camera = camera;
   const Picture picture = PictureCache{scene(asked_.scene().divisions)}.make(seen);
@@ -107,18 +107,18 @@ Measure::Sight Measure::sightOf(const CameraSettings& camera, const PictureSetti
   return {camera, std::move(reference)};
 }
 
-Measure::Polygons& Measure::polygons(int divisions, const Sight& sight, const Picture& picture) {
-  const auto known = polygons_.find({divisions, &sight});
+Measure::Polygons& Measure::polygons(int divisions, const SeenFrom& seen, const Picture& picture) {
+  const auto known = polygons_.find({divisions, &seen});
   if (known != polygons_.end()) return known->second;
   // Without finer surfaces the reference of the user's view has the polygons of the set-up.
-  const bool same = !fine_ && &sight == &here_ && divisions == asked_.scene().divisions;
-  Polygons made{same ? sight.reference : std::make_shared<const TrueView>(picture), {}};
-  return polygons_.emplace(std::pair{divisions, &sight}, std::move(made)).first->second;
+  const bool same = !fine_ && &seen == &here_ && divisions == asked_.scene().divisions;
+  Polygons made{same ? seen.reference : std::make_shared<const PolygonGroundTruth>(picture), {}};
+  return polygons_.emplace(std::pair{divisions, &seen}, std::move(made)).first->second;
 }
 
-double Measure::rmsOf(const Picture& picture, const Sight& sight) {
+double Measure::rmsOf(const Picture& picture, const SeenFrom& seen) {
   const Palette palette = paletteOf(picture);
-  const Comparison comparison{picture, *sight.reference, palette};
+  const Comparison comparison{picture, *seen.reference, palette};
   return spreadOf(comparison.intensityErrors(TableSide::After)).rootMeanSquare;
 }
 
@@ -193,7 +193,7 @@ Measured Measure::measured(const Configuration& configuration, bool whole) {
     measured.here.patches = *faces.off;
   }
   measured.samePixels = picture.image().pixels == asked_.image().pixels && palette == paletteOf(asked_);
-  for (const Sight& other : others_)
+  for (const SeenFrom& other : others_)
     measured.elsewhere = std::max(measured.elsewhere, rmsOf(painted(configuration, other.camera), other));
   return measured;
 }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "shading/laboratory/truth.h"
+#include "shading/laboratory/ground_truth.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/trade/trade.h"
 
@@ -68,7 +68,7 @@ class Measure {
 
  private:
   /// A view: its camera, and what it should show.
-  struct Sight {
+  struct SeenFrom {
     CameraSettings camera;
     std::shared_ptr<const Reference> reference;
   };
@@ -77,22 +77,23 @@ class Measure {
   [[nodiscard]] const Shared<Scene>& scene(int divisions);
   /// The polygons of a number of divisions, from the camera of a view.
   struct Polygons {
-    std::shared_ptr<const TrueView> view;
+    std::shared_ptr<const PolygonGroundTruth> view;
     std::optional<std::optional<PatchDistance>> off;  ///< nothing as long as nobody asked for it
   };
-  [[nodiscard]] Polygons& polygons(int divisions, const Sight& sight, const Picture& picture);
+  [[nodiscard]] Polygons& polygons(int divisions, const SeenFrom& seen, const Picture& picture);
   /// The RMS error of a picture's intensity after the table. For the intensity alone, the reference may stand
   /// for the polygons.
-  [[nodiscard]] static double rmsOf(const Picture& picture, const Sight& sight);
+  [[nodiscard]] static double rmsOf(const Picture& picture, const SeenFrom& seen);
   /// `keepsFaces` if the reference may stand for the polygons of the set-up in every respect.
-  [[nodiscard]] Sight sightOf(const CameraSettings& camera, const PictureSettings& settings, bool keepsFaces);
+  [[nodiscard]] SeenFrom seenFrom(const CameraSettings& camera, const PictureSettings& settings,
+                                  bool keepsFaces);
 
   std::map<int, Shared<Scene>> scenes_;  ///< by divisions
   FineScene fine_;
   Picture asked_;  ///< as it is seen (Picture::onlyShown())
-  Sight here_;
-  std::vector<Sight> others_;
-  std::map<std::pair<int, const Sight*>, Polygons> polygons_;  ///< by divisions and view
+  SeenFrom here_;
+  std::vector<SeenFrom> others_;
+  std::map<std::pair<int, const SeenFrom*>, Polygons> polygons_;  ///< by divisions and view
 };
 
 }  // namespace xnewell

@@ -15,7 +15,7 @@ ROOT = HERE.parents[1]
 TUNABLES = 'glibc.malloc.mmap_threshold=33554432:glibc.malloc.trim_threshold=268435456:glibc.malloc.hugetlb=1'
 
 
-class Bench:
+class WindowView:
     """The programs, and a folder for what they read and write."""
 
     def __init__(self, arguments):
@@ -243,7 +243,7 @@ def main():
         parser.error(f'there is no row {unknown[0]}; the rows are {", ".join(ROWS)}')
     if not os.access(arguments.program, os.X_OK):
         parser.error(f'build xnewell first, there is no {arguments.program}')
-    bench = Bench(arguments)
+    bench = WindowView(arguments)
     sketch = re.search(r'\d+\.\d+ \(build \w+', output_of(['sketch', '-v'], bench.work))
     results = {'processor': processor(), 'xnewell': output_of([bench.program, '--version'], bench.work).strip(),
                'sketch': sketch[0].replace(' (', ' ') if sketch else '?', 'rows': {}}

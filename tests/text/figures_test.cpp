@@ -141,7 +141,7 @@ TEST(Exercises, TheLostHighlight) {
   const auto largest = [&](int N) {
     const Scene scene = readScene(folder.file("square.json"), N);
     const Picture picture = makePicture(scene, onThePage(scene), 0);
-    return comparedWithReference(picture, Truth{picture}).difference.errors.largest;
+    return comparedWithReference(picture, GroundTruth{picture}).difference.errors.largest;
   };
   std::vector<std::string> errors;
   for (const int N : {1, 2, 4, 8, 16, 32, 64}) errors.push_back(number(largest(N), 4));

@@ -1,8 +1,8 @@
 #include "x11/app/lecture.h"
 
 #include "x11/app/workbench.h"
-#include "x11/lessons/lesson_bench.h"
-#include "x11/stepper/sort_bench.h"
+#include "x11/lessons/lesson_view.h"
+#include "x11/stepper/sort_view.h"
 
 namespace xnewell {
 

@@ -6,7 +6,7 @@
 
 #include "shading/picture/stopwatch.h"
 #include "x11/lessons/lesson.h"
-#include "x11/options/window_view.h"
+#include "x11/options/window_place.h"
 #include "x11/window/controls.h"
 
 namespace xnewell {

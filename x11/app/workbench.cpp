@@ -6,16 +6,16 @@
 
 #include "geometry/exact/give_up.h"
 #include "shading/explain/pixel_place.h"
-#include "x11/pixel/pixel_bench.h"
-#include "x11/scanline/scanline_bench.h"
-#include "x11/sides/side_bench.h"
-#include "x11/stepper/sort_bench.h"
-#include "x11/trade/trade_bench.h"
-#include "x11/viewing/viewing_bench.h"
-#include "x11/window/colors_bench.h"
-#include "x11/window/mach_bench.h"
-#include "x11/window/moot.h"
-#include "x11/window/picture_bench.h"
+#include "x11/pixel/pixel_view.h"
+#include "x11/scanline/scanline_view.h"
+#include "x11/sides/side_by_side_view.h"
+#include "x11/stepper/sort_view.h"
+#include "x11/trade/trade_view.h"
+#include "x11/viewing/viewing_view.h"
+#include "x11/window/colors_view.h"
+#include "x11/window/mach_bands_view.h"
+#include "x11/window/no_effect.h"
+#include "x11/window/picture_view.h"
 
 namespace xnewell {
 
@@ -40,16 +40,17 @@ Workbench::Workbench(Scene scene, const Setup& setup, Server server)
     return bench;
   };
   const auto subject = [this] { return this->subject(); };
-  own(View::Picture, std::make_unique<PictureBench>(*this, subject));
-  stepper_ = own(View::DepthSort, std::make_unique<SortBench>(*this));
-  colors_ = own(View::Colors, std::make_unique<ColorsBench>(*this));
-  bands_ = own(View::MachBands, std::make_unique<MachBench>(*this, subject));
-  sides_ = own(View::SideBySide, std::make_unique<SideBench>(*this, subject, [this] { return mostShades_; }));
-  own(View::Trade, std::make_unique<TradeBench>(*this));
-  lessons_ = own(View::Lesson, std::make_unique<LessonBench>(*this));
-  pixel_ = own(View::Pixel, std::make_unique<PixelBench>(*this, subject));
-  viewing_ = own(View::Viewing, std::make_unique<ViewingBench>(*this, subject));
-  scanline_ = own(View::Scanline, std::make_unique<ScanlineBench>(*this, subject));
+  own(View::Picture, std::make_unique<PictureView>(*this, subject));
+  stepper_ = own(View::DepthSort, std::make_unique<SortView>(*this));
+  colors_ = own(View::Colors, std::make_unique<ColorsView>(*this));
+  bands_ = own(View::MachBands, std::make_unique<MachBandsView>(*this, subject));
+  sides_ =
+      own(View::SideBySide, std::make_unique<SideBySideView>(*this, subject, [this] { return mostShades_; }));
+  own(View::Trade, std::make_unique<TradeView>(*this));
+  lessons_ = own(View::Lesson, std::make_unique<LessonView>(*this));
+  pixel_ = own(View::Pixel, std::make_unique<PixelView>(*this, subject));
+  viewing_ = own(View::Viewing, std::make_unique<ViewingView>(*this, subject));
+  scanline_ = own(View::Scanline, std::make_unique<ScanlineView>(*this, subject));
 }
 
 void Workbench::resize(int width, int height) {
@@ -138,7 +139,7 @@ void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
   if (next == work_.setup) return;
   work_.change(control, next);
   if (!shown_) return;
-  const std::string why = whyMoot(control, picture(), next);
+  const std::string why = whyNoEffect(control, picture(), next);
   if (const MistakeRow& row = rowOf(next.picture.light.mistake); control == 'E' && why.empty())
     notify(row.id == Mistake::None ? "The equation is right again."
                                    : "The equation has a mistake now: " + std::string{row.words} +
@@ -303,7 +304,7 @@ void Workbench::makePalette(const Picture& picture, const PaletteEffects& effect
 
 void Workbench::drawFrame(bool dragging) {
   const PictureSettings wanted = sized();
-  Bench& view = bench();
+  WindowView& view = bench();
   const bool whole = view.wantsImage();
   const bool quick = dragging && slow_ && whole && !serverFills() && coarse(wanted) != wanted;
   work_.divide();

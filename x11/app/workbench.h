@@ -9,23 +9,24 @@
 #include "x11/app/lecture.h"
 #include "x11/app/work.h"
 #include "x11/kit/typed_line.h"
-#include "x11/lessons/lesson_bench.h"
-#include "x11/window/bench.h"
+#include "x11/lessons/lesson_view.h"
 #include "x11/window/panel.h"
+#include "x11/window/window_view.h"
 
 namespace xnewell {
 
-class ColorsBench;
-class MachBench;
-class PixelBench;
-class ScanlineBench;
-class SideBench;
-class SortBench;
-class ViewingBench;
+class ColorsView;
+class MachBandsView;
+class PixelView;
+class ScanlineView;
+class SideBySideView;
+class SortView;
+class ViewingView;
 
 /// The window without a server: what keys and the mouse do to the setup, and the index image and palette that
-/// show it. The event loop (viewer.h) and snapshots of the whole window use this class. Each view is a Bench.
-/// The workbench holds what they share: the scene's picture, the setup with its undo, and the bands.
+/// show it. The event loop (viewer.h) and snapshots of the whole window use this class. Each view is a
+/// WindowView. The workbench holds what they share: the scene's picture, the setup with its undo, and the
+/// bands.
 class Workbench : public Host {
  public:
   /// What the workbench needs from the server, such as the cell plan for a table and the colours of cells
@@ -73,8 +74,8 @@ class Workbench : public Host {
   /// Shows a lesson, beginning with this step; 0 is the first.
   void teach(Lesson lesson, int step = 0);
   /// For code that draws the frames of a lesson or of the stepper.
-  [[nodiscard]] LessonBench& lessons() { return *lessons_; }
-  [[nodiscard]] SortBench& stepper() { return *stepper_; }
+  [[nodiscard]] LessonView& lessons() { return *lessons_; }
+  [[nodiscard]] SortView& stepper() { return *stepper_; }
   /// The pointer, in pixels of the window. The button was pressed. Returns true if a drag begins; it ends
   /// when the button is released and settle() is called.
   [[nodiscard]] bool grab(int x, int y);
@@ -147,7 +148,7 @@ class Workbench : public Host {
   void lecture(Lecture lecture);
 
   /// The view that is shown.
-  [[nodiscard]] Bench& bench() const { return *benches_[static_cast<std::size_t>(view())]; }
+  [[nodiscard]] WindowView& bench() const { return *benches_[static_cast<std::size_t>(view())]; }
   /// What surrounds the view in the last drawing.
   [[nodiscard]] const PanelState& panel() const { return panel_; }
   /// Where the window is.
@@ -182,7 +183,7 @@ class Workbench : public Host {
 
  private:
   /// What decides which cells the window shows, as far as the workbench knows. A bench may know more:
-  /// Bench::late().
+  /// WindowView::late().
   struct Indices {
     View view;
     int width, height, unit;
@@ -263,15 +264,15 @@ class Workbench : public Host {
   std::unique_ptr<Work> before_;  ///< the work from before open(); null without one
   Server server_;
   int mostShades_ = kMaxShades;
-  std::array<std::unique_ptr<Bench>, kWindowViews.size()> benches_;
-  LessonBench* lessons_;  ///< one of the benches
-  SortBench* stepper_;    ///< another one
-  ColorsBench* colors_;
-  MachBench* bands_;
-  SideBench* sides_;  ///< and another
-  PixelBench* pixel_;
-  ViewingBench* viewing_;
-  ScanlineBench* scanline_;
+  std::array<std::unique_ptr<WindowView>, kWindowViews.size()> benches_;
+  LessonView* lessons_;  ///< one of the benches
+  SortView* stepper_;    ///< another one
+  ColorsView* colors_;
+  MachBandsView* bands_;
+  SideBySideView* sides_;  ///< and another
+  PixelView* pixel_;
+  ViewingView* viewing_;
+  ScanlineView* scanline_;
   View view_ = View::Picture;
   std::optional<View> came_;    ///< the view before, to which Esc goes back
   int width_ = 0, height_ = 0;  ///< of the window, in pixels

@@ -57,7 +57,7 @@ void Workbench::copyCommand() {
     const bool alone = view() == View::Picture && layout_.drawer == Drawer::Whole;
     const std::string whole = alone ? "" : pictureNote();
     std::string text;
-    for (const std::string& line : bench().inWords()) text += "# " + visible(line) + '\n';
+    for (const std::string& line : bench().report()) text += "# " + visible(line) + '\n';
     const std::optional<std::string> own = bench().command();
     server_.copy(text + (own ? *own
                          : !whole.empty()

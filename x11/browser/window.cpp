@@ -87,7 +87,7 @@ class Window {
     const PanelState& panel = bench().panel();
     std::string words = panel.notice.empty() ? panel.told : panel.notice;
     if (panel.typed) words = panel.typed->asks + ": " + panel.typed->text + ". " + panel.typed->complaint;
-    for (const std::string& line : bench().bench().inWords()) words += '\n' + line;
+    for (const std::string& line : bench().bench().report()) words += '\n' + line;
     return words;
   }
 

@@ -8,7 +8,7 @@
 #include "shading/figure/figure_errors.h"
 #include "shading/figure/make_figure.h"
 #include "shading/figure/write_figure.h"
-#include "shading/laboratory/truth.h"
+#include "shading/laboratory/ground_truth.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/stopwatch.h"
 #include "shading/scene/settings.h"
@@ -28,7 +28,7 @@ FigureErrors errorsOf(const VectorFigure& figure, const Options& options, const 
   const CellPlan plan{settings.table.kind};
   const Picture picture = makePicture(scene, settings, plan[Cell::Well]);
   const Palette palette = picture.palette(plan);
-  return errorsOf(figure, Comparison{picture, Truth{picture}, palette}, palette);
+  return errorsOf(figure, Comparison{picture, GroundTruth{picture}, palette}, palette);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@
 #include "x11/viewing/viewing_page.h"
 #include "x11/views/views.h"
 #include "x11/visual/x11_error.h"
-#include "x11/window/moot.h"
+#include "x11/window/no_effect.h"
 
 extern const char* const kRunHeader;
 

@@ -12,7 +12,7 @@
 #include "shading/picture/required.h"
 #include "shading/scene/divide_anew.h"
 #include "x11/terminal/terminal.h"
-#include "x11/window/moot.h"
+#include "x11/window/no_effect.h"
 
 namespace xnewell {
 
@@ -185,7 +185,7 @@ void writePictures(const Options& options, const Picture& picture, const std::st
 
 void report(const Options& options, const Picture& picture, const std::optional<Errors>& errors,
             const StageTimes& times, const Data& accuracy, const Sent* sent) {
-  noteMoot(std::cerr, options, picture);
+  noteNoEffect(std::cerr, options, picture);
   if (!options.stats) return;
   Object stats = statsOf(options, picture, times);
   if (accuracy.index() > 0) stats.emplace_back("accuracy", accuracy);

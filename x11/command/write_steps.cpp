@@ -12,11 +12,11 @@
 #include "x11/app/workbench.h"
 #include "x11/command/commands.h"
 #include "x11/homework/html.h"
-#include "x11/lessons/lesson_bench.h"
-#include "x11/lessons/lesson_sight.h"
+#include "x11/lessons/lesson_figure.h"
+#include "x11/lessons/lesson_view.h"
 #include "x11/options/shell_words.h"
 #include "x11/stepper/frames.h"
-#include "x11/stepper/sort_bench.h"
+#include "x11/stepper/sort_view.h"
 
 namespace xnewell {
 
@@ -165,9 +165,9 @@ section + section { break-before: page }
 /// What the page of a step shows beside its words.
 std::string pictureOf(const Workbench& bench) {
   constexpr int kAround = 8;  // units: marks reach into the margins
-  const Rect sight = sightOf(bench.layout());
+  const Rect drawn = figureAreaOf(bench.layout());
   const Rect from =
-      Rect{sight.x - kAround, sight.y, sight.width + 2 * kAround, sight.height} * bench.layout().unit;
+      Rect{drawn.x - kAround, drawn.y, drawn.width + 2 * kAround, drawn.height} * bench.layout().unit;
   IndexImage part{from.width, from.height, 0};
   for (int y = 0; y < from.height; ++y)
     std::copy_n(bench.image().row(from.y + y) + from.x, from.width, part.row(y));

@@ -34,7 +34,7 @@ class Sheet {
 
   [[nodiscard]] const IndexImage& image() const { return image_; }
   /// The rows of tables and the findings, in the order in which they were drawn.
-  [[nodiscard]] const std::vector<std::string>& inWords() const { return words_; }
+  [[nodiscard]] const std::vector<std::string>& report() const { return words_; }
   [[nodiscard]] Painter painter() { return {image_, unit_}; }
   [[nodiscard]] std::uint8_t cell(Cell c) const { return plan_[c]; }
 

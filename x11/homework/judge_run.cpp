@@ -417,7 +417,7 @@ class RunJudge {
   void tellNotFirst(int P, int Q) {
     const Nearer found = nearer(Q, P);
     tell({Falsehood::NotFirst, P, Q,
-          name(Q) + " (Q) goes before " + name(P) + " (P), and is nearer at " + found.at.inWords() + ". " +
+          name(Q) + " (Q) goes before " + name(P) + " (P), and is nearer at " + found.at.text() + ". " +
               settling(found.behind, found.front),
           numbersOf(found.at)});
   }
@@ -466,8 +466,8 @@ class RunJudge {
   void tellEarly(int P, int Q, const Nearer& early) {
     line_ = run_[P].line;
     tell({Falsehood::TooEarly, P, Q,
-          name(P) + " (P) is painted before " + name(Q) + " (Q), and is nearer at " + early.at.inWords() +
-              ". " + settling(early.front, early.behind) +
+          name(P) + " (P) is painted before " + name(Q) + " (Q), and is nearer at " + early.at.text() + ". " +
+              settling(early.front, early.behind) +
               (areTested(P, Q) || testedFaces_.empty() ? "" : ". The run never tests them"),
           numbersOf(early.at)});
   }
@@ -664,7 +664,7 @@ class RunJudge {
       tell({Falsehood::Lost,
             waiting[0],
             -1,
-            name(waiting[0]) + " is never painted; it shows at " + one.at.inWords(),
+            name(waiting[0]) + " is never painted; it shows at " + one.at.text(),
             numbersOf(one.at),
             {},
             waiting});

@@ -25,7 +25,7 @@ constexpr double kMuch = 0.2;  ///< share of samples
 std::string pixelText(int i, int j) { return std::to_string(i) + ',' + std::to_string(j); }
 std::string percent(double share) { return fixed(100.0 * share, share > 0.995 && share < 1 ? 1 : 0) + " %"; }
 
-std::string inWords(const Hypothesis& h) { return std::string{h.key} + ": " + std::string{h.sentence}; }
+std::string wordsOf(const Hypothesis& h) { return std::string{h.key} + ": " + std::string{h.sentence}; }
 
 /// "0.35", not "0.350000".
 std::string shortNumber(double v) {
@@ -35,11 +35,11 @@ std::string shortNumber(double v) {
   return words;
 }
 
-std::string inWords(const Fit& fit) {
+std::string wordsOf(const Fit& fit) {
   if (fit.number)
     return std::string{fit.first->key} + " is " + shortNumber(fit.number->is) + " where the scene says " +
            shortNumber(fit.number->was) + ".";
-  std::string words = inWords(*fit.first);
+  std::string words = wordsOf(*fit.first);
   if (fit.second == nullptr) return words;
   const bool allowed = fit.second->meaning == Meaning::Allowed;
   return words +
@@ -137,7 +137,7 @@ std::string nameOf(const Fit& fit) {
 namespace {
 
 /// "right, but it stores 255 I, not the table's colour", and the option with which that is plainly right.
-std::string storedInWords(const Diagnosis& d) {
+std::string storedText(const Diagnosis& d) {
   const Fit& fit = d.found.front();
   const auto stores = [](const Hypothesis* h) { return h != nullptr && h->key.starts_with("stores-"); };
   if (!stores(fit.first) && !stores(fit.second)) return "";
@@ -159,7 +159,7 @@ std::string verdictOf(const Diagnosis& d) {
                  ? "right"
                  : "right, but for one shade at " + percent(1.0 - d.exact) + " of the samples";
     case Marking::Allowed: {
-      if (const std::string stores = storedInWords(d); !stores.empty()) return stores;
+      if (const std::string stores = storedText(d); !stores.empty()) return stores;
       std::string words = "right, with " + std::string{d.found.front().first->key};
       if (d.found.front().second) words += " and " + std::string{d.found.front().second->key};
       return words + " (the course allows it): " + std::string{d.found.front().first->sentence};
@@ -168,12 +168,12 @@ std::string verdictOf(const Diagnosis& d) {
       return "wrong: the shades are right, but faces lie elsewhere: check the camera, the projection and the "
              "corners";
     case Marking::Mistake:
-      return "wrong: " + inWords(d.found.front());
+      return "wrong: " + wordsOf(d.found.front());
     case Marking::OneOf:
     case Marking::Numbers: {
       if (d.found.size() == 1)
         return "wrong: " +
-               (d.found[0].number ? inWords(d.found[0]) : std::string{d.found[0].first->sentence});
+               (d.found[0].number ? wordsOf(d.found[0]) : std::string{d.found[0].first->sentence});
       std::string words = "wrong: one of " + counted(d.found.size(), "answer") + " that look alike here: ";
       for (const Fit& fit : d.found) words += (&fit == &d.found.front() ? "" : ", ") + nameOf(fit);
       return words;
@@ -217,7 +217,7 @@ page::Page pageOf(const Diagnosis& d, const PartedBy& parted) {
           " inside faces it shows another shade or another face; xnewell judge says whether its order is "
           "right");
   if (d.found.size() > 1 && isFound)
-    for (const Fit& fit : d.found) s.say("  " + inWords(fit) + "  [" + fitTerms(fit) + ']');
+    for (const Fit& fit : d.found) s.say("  " + wordsOf(fit) + "  [" + fitTerms(fit) + ']');
   s.fact("found", dataOf(d.found));
   s.fact("samples", d.samples,
          !isFound ? ""
@@ -235,7 +235,7 @@ page::Page pageOf(const Diagnosis& d, const PartedBy& parted) {
     s.fact("outlines",
            Object{{"pixels", lines.apart}, {"farthest", lines.farthest}, {"x", lines.i}, {"y", lines.j}});
   addPixel(s, d);
-  for (const Fit& fit : d.doubts) s.say("  or, as this picture cannot tell: " + inWords(fit));
+  for (const Fit& fit : d.doubts) s.say("  or, as this picture cannot tell: " + wordsOf(fit));
   if (!d.doubts.empty()) s.fact("doubts", dataOf(d.doubts));
   s.fact("exact", d.exact);
   s.fact("brightest", d.brightest,
@@ -293,7 +293,7 @@ page::Page pageOf(std::string_view a, std::string_view b, const SceneFor& found)
   s.fact("told_apart", found.picture.has_value());
   s.fact("words", words, words);
   s.fact("tried", found.tried);
-  for (const std::string_view key : {a, b}) s.say("  " + inWords(*hypothesisNamed(key)));
+  for (const std::string_view key : {a, b}) s.say("  " + wordsOf(*hypothesisNamed(key)));
   if (found.tried > 0) s.fact("shades_apart", found.parting.shades);
   if (!found.picture) return page;
   const Parting& p = found.parting;

@@ -11,7 +11,7 @@
 
 namespace xnewell {
 
-std::string Hidden::inWords() const {
+std::string Hidden::text() const {
   return counted(samples, "sample") + ", such as " + std::to_string(i) + ',' + std::to_string(j);
 }
 

@@ -23,7 +23,7 @@ struct Hidden {
   int samples = 0, i = 0, j = 0;
   std::vector<SampleRow> rows = {};
 
-  [[nodiscard]] std::string inWords() const;  ///< "12 samples, such as 3,4"
+  [[nodiscard]] std::string text() const;  ///< "12 samples, such as 3,4"
 };
 
 /// A run of the depth sort that somebody else makes, recorded as the program records its own: the student's

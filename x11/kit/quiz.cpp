@@ -33,7 +33,7 @@ void Quiz::tell(const page::Question& asked, const std::string& before) {
   if (before.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
   host_.tell(before + name + " is " + fixed(asked.written, asked.decimals) + "." +
              (isHiding() ? " y asks the next number, Esc shows all." : "") +
-             (score_.asked > 0 ? " " + score_.inWords() + "." : ""));
+             (score_.asked > 0 ? " " + score_.text() + "." : ""));
 }
 
 }  // namespace xnewell

@@ -9,7 +9,7 @@ struct Score {
   int right = 0, asked = 0;
 
   void add(bool isRight) { ++asked, right += isRight; }
-  [[nodiscard]] std::string inWords() const {
+  [[nodiscard]] std::string text() const {
     return std::to_string(right) + " of " + std::to_string(asked) + " right at the first try";
   }
   bool operator==(const Score&) const = default;

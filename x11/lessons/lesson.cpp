@@ -11,8 +11,8 @@
 #include "shading/scene/read_camera.h"
 #include "shading/scene/read_shading.h"
 #include "shading/scene/settings.h"
-#include "x11/lessons/exhibit.h"
 #include "x11/lessons/lesson_facts.h"
+#include "x11/lessons/step_figure.h"
 
 namespace xnewell {
 
@@ -49,7 +49,7 @@ void need(const Node& node, std::initializer_list<const char*> keys) {
     if (!node.has(key)) node.fail(std::string{key} + " is needed");
 }
 
-LessonAnswer readAnswer(const Node& node, const Exhibit& exhibit, SceneShelf& shelf) {
+LessonAnswer readAnswer(const Node& node, const StepFigure& figure, SceneShelf& shelf) {
   node.expectKeys({"text", "holds", "says", "shown"});
   need(node, {"text", "says"});
   LessonAnswer answer;
@@ -57,16 +57,16 @@ LessonAnswer readAnswer(const Node& node, const Exhibit& exhibit, SceneShelf& sh
   answer.says = readWords(node.at("says"));
   answer.holds = node.has("holds") && node.at("holds").truth();
   if (!answer.holds && !node.has("shown")) node.fail("shown is needed: a wrong answer must be seen to fail");
-  answer.shown = exhibit;
+  answer.shown = figure;
   answer.shown.claims.clear();
   if (node.has("shown")) {
-    expectExhibitKeys(node.at("shown"));
-    answer.shown = readExhibit(node.at("shown"), &exhibit, shelf);
+    expectFigureKeys(node.at("shown"));
+    answer.shown = readFigure(node.at("shown"), &figure, shelf);
   }
   return answer;
 }
 
-LessonQuestion readQuestion(const Node& node, const Exhibit& exhibit, SceneShelf& shelf) {
+LessonQuestion readQuestion(const Node& node, const StepFigure& figure, SceneShelf& shelf) {
   node.expectKeys({"asks", "hint", "answers"});
   need(node, {"asks", "answers"});
   LessonQuestion question{.asks = node.at("asks").text(), .hint = {}, .answers = {}};
@@ -74,14 +74,14 @@ LessonQuestion readQuestion(const Node& node, const Exhibit& exhibit, SceneShelf
   const Node answers = node.at("answers");
   if (answers.size() < 2 || answers.size() > kMostAnswers) answers.fail("2 to 4 answers are needed");
   for (int k = 0; k < answers.size(); ++k)
-    question.answers.push_back(readAnswer(answers.item(k), exhibit, shelf));
+    question.answers.push_back(readAnswer(answers.item(k), figure, shelf));
   if (std::ranges::count(question.answers, true, &LessonAnswer::holds) != 1)
     answers.fail("exactly one answer must hold");
   return question;
 }
 
-LessonStep readStep(const Node& node, const Exhibit* before, SceneShelf& shelf) {
-  expectExhibitKeys(node, {"heading", "caption", "controls", "question"});
+LessonStep readStep(const Node& node, const StepFigure* before, SceneShelf& shelf) {
+  expectFigureKeys(node, {"heading", "caption", "controls", "question"});
   need(node, {"heading", "caption"});
   LessonStep step;
   step.heading = node.at("heading").text();
@@ -90,7 +90,7 @@ LessonStep readStep(const Node& node, const Exhibit* before, SceneShelf& shelf) 
   const Node caption = node.at("caption");
   if (caption.size() == 0) caption.fail("a paragraph is needed");
   for (int k = 0; k < caption.size(); ++k) step.caption.push_back(readWords(caption.item(k)));
-  step.exhibit = readExhibit(node, before, shelf);
+  step.figure = readFigure(node, before, shelf);
   if (node.has("controls")) {
     const Node controls = node.at("controls");
     for (int k = 0; k < controls.size(); ++k) {
@@ -99,7 +99,7 @@ LessonStep readStep(const Node& node, const Exhibit* before, SceneShelf& shelf) 
         controls.item(k).fail("the control is listed twice");
     }
   }
-  if (node.has("question")) step.question = readQuestion(node.at("question"), step.exhibit, shelf);
+  if (node.has("question")) step.question = readQuestion(node.at("question"), step.figure, shelf);
   return step;
 }
 
@@ -142,7 +142,7 @@ Lesson parseLesson(std::string_view text, const std::string& name, const std::fi
   if (steps.size() < 1 || steps.size() > kMostSteps) steps.fail("1 to 12 steps are needed");
   SceneShelf shelf{folder};
   for (int k = 0; k < steps.size(); ++k)
-    lesson.steps.push_back(readStep(steps.item(k), k > 0 ? &lesson.steps.back().exhibit : nullptr, shelf));
+    lesson.steps.push_back(readStep(steps.item(k), k > 0 ? &lesson.steps.back().figure : nullptr, shelf));
   return lesson;
 }
 
@@ -197,8 +197,8 @@ Scene relisted(const Scene& scene, const std::vector<int>& listed) {
   return again;
 }
 
-void readListed(Exhibit& exhibit, const Node& node) {
-  const Scene& scene = *exhibit.scene;
+void readListed(StepFigure& figure, const Node& node) {
+  const Scene& scene = *figure.scene;
   const int faces = scene.mesh.faceCount();
   if (!scene.patches.empty() || !scene.textures.empty()) node.fail("is for scenes of plain polygons");
   if (node.size() != faces) node.fail("all " + std::to_string(faces) + " faces are needed, each once");
@@ -207,16 +207,16 @@ void readListed(Exhibit& exhibit, const Node& node) {
     listed.push_back(node.item(k).whole(0, faces - 1));
     if (std::ranges::count(listed, listed.back()) > 1) node.item(k).fail("the face is listed twice");
   }
-  exhibit.scene = std::make_shared<const Scene>(relisted(scene, listed));
-  for (NamedFace& named : exhibit.names)
+  figure.scene = std::make_shared<const Scene>(relisted(scene, listed));
+  for (NamedFace& named : figure.names)
     named.face = static_cast<int>(std::ranges::find(listed, named.face) - listed.begin());
 }
 
-void readNames(Exhibit& exhibit, const Node& node) {
-  exhibit.names.clear();
+void readNames(StepFigure& figure, const Node& node) {
+  figure.names.clear();
   for (const std::string& name : node.keys()) {
     if (name.empty() || name.size() > 2) node.at(name).fail("a name of one or two letters is needed");
-    exhibit.names.push_back({node.at(name).whole(0, exhibit.scene->mesh.faceCount() - 1), name});
+    figure.names.push_back({node.at(name).whole(0, figure.scene->mesh.faceCount() - 1), name});
   }
 }
 
@@ -290,37 +290,37 @@ void readSettings(PictureSettings& settings, const Node& node, const Scene& scen
   expectSees(settings.camera, scene, node.at("camera"));
 }
 
-void readBeside(Exhibit& exhibit, const Node& node) {
+void readBeside(StepFigure& figure, const Node& node) {
   node.expectKeys({"shading", "camera", "upper", "lower"});
-  exhibit.beside = exhibit.settings;
-  readSettings(exhibit.beside, node, *exhibit.scene);
-  if (exhibit.beside.table != exhibit.settings.table)
+  figure.beside = figure.settings;
+  readSettings(figure.beside, node, *figure.scene);
+  if (figure.beside.table != figure.settings.table)
     node.at("shading").fail("both pictures are in one colour table");
-  if (node.has("upper")) exhibit.upperLine = node.at("upper").text();
-  if (node.has("lower")) exhibit.lowerLine = node.at("lower").text();
+  if (node.has("upper")) figure.upperLine = node.at("upper").text();
+  if (node.has("lower")) figure.lowerLine = node.at("lower").text();
 }
 
-void readScanline(Exhibit& exhibit, const Node& node) {
+void readScanline(StepFigure& figure, const Node& node) {
   node.expectKeys({"bits", "filled"});
   if (node.has("bits")) {
-    exhibit.stepBits = node.at("bits").whole(8, 24);
-    if (exhibit.stepBits % 8 != 0) node.at("bits").fail("8, 16 or 24");
+    figure.stepBits = node.at("bits").whole(8, 24);
+    if (figure.stepBits % 8 != 0) node.at("bits").fail("8, 16 or 24");
   }
-  if (node.has("filled")) exhibit.filled = node.at("filled").numberFrom(0, 1);
+  if (node.has("filled")) figure.filled = node.at("filled").numberFrom(0, 1);
 }
 
 }  // namespace
 
 namespace {
 
-void readViewing(Exhibit& exhibit, const Node& node) {
+void readViewing(StepFigure& figure, const Node& node) {
   node.expectKeys({"stage", "shaded in", "vertex"});
-  if (node.has("stage")) exhibit.viewStage = node.at("stage").choice(kViewStages);
-  exhibit.shadedIn = node.has("shaded in") ? node.at("shaded in").choice(kViewStages) : ViewStage::World;
+  if (node.has("stage")) figure.viewStage = node.at("stage").choice(kViewStages);
+  figure.shadedIn = node.has("shaded in") ? node.at("shaded in").choice(kViewStages) : ViewStage::World;
   if (!node.has("vertex")) return;
-  const std::optional<FaceCorner> vertex = cornerOf(exhibit.scene->mesh, node.at("vertex").text());
+  const std::optional<FaceCorner> vertex = cornerOf(figure.scene->mesh, node.at("vertex").text());
   if (!vertex) node.at("vertex").fail("the scene has no such vertex");
-  exhibit.vertex = *vertex;
+  figure.vertex = *vertex;
 }
 
 }  // namespace
@@ -338,48 +338,47 @@ std::shared_ptr<const Scene> SceneShelf::scene(const Node& name, int divisions) 
   return found;
 }
 
-void expectExhibitKeys(const Node& node, std::initializer_list<std::string_view> more) {
+void expectFigureKeys(const Node& node, std::initializer_list<std::string_view> more) {
   node.expectKeys({"scene", "divisions", "listed", "camera", "shading", "window", "line", "names", "extents",
                    "wrong", "beside", "effects", "event", "scanline", "viewing", "claims"},
                   more);
 }
 
-Exhibit readExhibit(const Node& node, const Exhibit* base, SceneShelf& shelf) {
-  Exhibit exhibit;
-  if (base) exhibit = *base;
-  exhibit.claims.clear();
+StepFigure readFigure(const Node& node, const StepFigure* base, SceneShelf& shelf) {
+  StepFigure figure;
+  if (base) figure = *base;
+  figure.claims.clear();
   if (!base && !node.has("scene")) node.fail("a scene is needed");
   if (node.has("divisions") && !node.has("scene")) node.at("divisions").fail("goes with a scene");
   if (node.has("scene")) {
     const int divisions = node.has("divisions") ? node.at("divisions").whole(1, 64) : kDefaultDivisions;
-    exhibit.scene = shelf.scene(node.at("scene"), divisions);
-    exhibit.sceneName = exhibit.scene->name;
-    exhibit.settings = exhibit.scene->settings;
-    exhibit.settings.camera = exhibit.scene->camera;
-    exhibit.settings.inPixels = false;
-    exhibit.names.clear();
-    exhibit.vertex = {};
+    figure.scene = shelf.scene(node.at("scene"), divisions);
+    figure.sceneName = figure.scene->name;
+    figure.settings = figure.scene->settings;
+    figure.settings.camera = figure.scene->camera;
+    figure.settings.inPixels = false;
+    figure.names.clear();
+    figure.vertex = {};
   }
-  if (node.has("viewing")) readViewing(exhibit, node.at("viewing"));
-  if (node.has("names")) readNames(exhibit, node.at("names"));
-  if (node.has("listed")) readListed(exhibit, node.at("listed"));
-  readSettings(exhibit.settings, node, *exhibit.scene);
-  if (node.has("window")) exhibit.stage = node.at("window").choice(stageRows());
-  if (node.has("line")) exhibit.line = node.at("line").text();
-  if (node.has("extents")) exhibit.extents = node.at("extents").truth();
-  if (exhibit.extents && exhibit.names.empty())
-    node.fail("extents are those of named faces: names are needed");
-  if (node.has("wrong")) exhibit.wrongMarked = node.at("wrong").truth();
-  if (node.has("effects")) readEffects(exhibit.effects, node.at("effects"));
-  if (node.has("event")) exhibit.event = readEvent(node.at("event"));
-  if (node.has("scanline")) readScanline(exhibit, node.at("scanline"));
-  if (node.has("beside")) readBeside(exhibit, node.at("beside"));
-  if (exhibit.stage == View::SideBySide && !node.has("beside") && (!base || base->stage != View::SideBySide))
+  if (node.has("viewing")) readViewing(figure, node.at("viewing"));
+  if (node.has("names")) readNames(figure, node.at("names"));
+  if (node.has("listed")) readListed(figure, node.at("listed"));
+  readSettings(figure.settings, node, *figure.scene);
+  if (node.has("window")) figure.stage = node.at("window").choice(stageRows());
+  if (node.has("line")) figure.line = node.at("line").text();
+  if (node.has("extents")) figure.extents = node.at("extents").truth();
+  if (figure.extents && figure.names.empty()) node.fail("extents are those of named faces: names are needed");
+  if (node.has("wrong")) figure.wrongMarked = node.at("wrong").truth();
+  if (node.has("effects")) readEffects(figure.effects, node.at("effects"));
+  if (node.has("event")) figure.event = readEvent(node.at("event"));
+  if (node.has("scanline")) readScanline(figure, node.at("scanline"));
+  if (node.has("beside")) readBeside(figure, node.at("beside"));
+  if (figure.stage == View::SideBySide && !node.has("beside") && (!base || base->stage != View::SideBySide))
     node.fail("side by side needs beside");
   if (node.has("claims"))
     for (const std::string& name : node.at("claims").keys())
-      exhibit.claims.push_back(readClaim(name, node.at("claims").at(name)));
-  return exhibit;
+      figure.claims.push_back(readClaim(name, node.at("claims").at(name)));
+  return figure;
 }
 
 std::vector<StageRow> stageRows() {

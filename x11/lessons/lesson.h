@@ -12,7 +12,7 @@
 
 #include "shading/scene/json_node.h"
 #include "x11/homework/answer_file.h"
-#include "x11/lessons/exhibit.h"
+#include "x11/lessons/step_figure.h"
 
 namespace xnewell {
 
@@ -20,15 +20,15 @@ namespace xnewell {
 ///
 ///   "title"   its subject, in lower case; "number" its place in the list, from 1
 ///   "shows"   a sentence for the list
-///   "steps"   1 to 12, each one an exhibit (below) with
+///   "steps"   1 to 12, each one a figure (below) with
 ///     "heading"  at most 26 characters
 ///     "caption"  a list of paragraphs; the program replaces {cuts} by what it counts (lesson_facts.h)
 ///     "controls" names of lessonControls(): the controls that work in the step
 ///     "question" {"asks", "hint", "answers": 2 to 4 of {"text", "holds", "says", "shown"}}
 ///
 /// Exactly one answer "holds". After an answer is given, the page shows what it "says", and what is "shown":
-/// the step's exhibit with changes. A wrong answer is not marked wrong, so it needs an exhibit in which it
-/// fails. A step without "scene" begins with the exhibit of the step before, and changes it.
+/// the step's figure with changes. A wrong answer is not marked wrong, so it needs a figure in which it
+/// fails. A step without "scene" begins with the figure of the step before, and changes it.
 /// Unknown keys, wrong types and values out of range are refused.
 
 /// A control that a step may have: each of a setting of the picture, under its label, and a few that are no
@@ -44,7 +44,7 @@ struct LessonAnswer {
   std::string text;
   bool holds = false;
   std::string says;
-  Exhibit shown;
+  StepFigure shown;
 };
 struct LessonQuestion {
   std::string asks, hint;
@@ -53,7 +53,7 @@ struct LessonQuestion {
 struct LessonStep {
   std::string heading;
   std::vector<std::string> caption;  ///< paragraphs
-  Exhibit exhibit;
+  StepFigure figure;
   std::vector<char> controls;  ///< their keys
   std::optional<LessonQuestion> question;
 };
@@ -97,8 +97,8 @@ class SceneShelf {
   std::map<std::pair<std::string, int>, std::shared_ptr<const Scene>> scenes_;
 };
 
-/// Checks that an object has no keys except those of an exhibit and `more`. @throws ParseError
-void expectExhibitKeys(const Node& node, std::initializer_list<std::string_view> more = {});
+/// Checks that an object has no keys except those of a figure and `more`. @throws ParseError
+void expectFigureKeys(const Node& node, std::initializer_list<std::string_view> more = {});
 
 /// Reads `base` with the changes in the object. Without a base the object needs a scene. Claims are never
 /// taken from the base.
@@ -121,6 +121,6 @@ void expectExhibitKeys(const Node& node, std::initializer_list<std::string_view>
 ///                cornerOf() reads it
 ///   "claims"     {"cuts": 3, "wrong samples": {"at least": 1}, ...}
 /// @throws ParseError
-[[nodiscard]] Exhibit readExhibit(const Node& node, const Exhibit* base, SceneShelf& shelf);
+[[nodiscard]] StepFigure readFigure(const Node& node, const StepFigure* base, SceneShelf& shelf);
 
 }  // namespace xnewell

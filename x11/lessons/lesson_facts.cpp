@@ -14,7 +14,7 @@
 #include "shading/picture/cell_use.h"
 #include "shading/picture/picture_cache.h"
 #include "x11/drawing/wording.h"
-#include "x11/lessons/lesson_sight.h"
+#include "x11/lessons/lesson_figure.h"
 #include "x11/viewing/lit_parts.h"
 #include "x11/viewing/viewing_page.h"
 #include "x11/views/table_curves.h"
@@ -280,7 +280,7 @@ SortedScene textbookRun(const Picture& picture) {
                                        .record = true});
 }
 
-void ShownExhibit::find(FactNeeds needs) {
+void ShownFigure::find(FactNeeds needs) {
   const Picture& picture = found_.picture;
   switch (needs) {
     case FactNeeds::Picture:
@@ -351,18 +351,18 @@ void ShownExhibit::find(FactNeeds needs) {
   }
 }
 
-double ShownExhibit::value(const FactRow& fact) {
+double ShownFigure::value(const FactRow& fact) {
   find(fact.needs);
   return fact.value(found_);
 }
 
-std::string ShownExhibit::text(const FactRow& fact) {
+std::string ShownFigure::text(const FactRow& fact) {
   const double v = value(fact);
   if (std::isnan(v)) return "none";
   return fact.decimals == 0 ? grouped(std::llround(v)) : fixed(v, fact.decimals);
 }
 
-bool ShownExhibit::holds(const Claim& claim) {
+bool ShownFigure::holds(const Claim& claim) {
   const double unit = std::pow(10.0, -kFacts[claim.fact].decimals);
   const auto rounded = [&](double v) { return std::round(v / unit); };
   const double v = rounded(value(kFacts[claim.fact]));
@@ -370,7 +370,7 @@ bool ShownExhibit::holds(const Claim& claim) {
          (!claim.most || v <= rounded(*claim.most));
 }
 
-std::string ShownExhibit::filled(std::string_view words) {
+std::string ShownFigure::filled(std::string_view words) {
   std::string text;
   while (true) {
     const std::size_t open = words.find('{');
@@ -412,17 +412,17 @@ double facesOff(const Picture& picture, const ViewingStory& story, ViewStage sha
 
 }  // namespace
 
-ViewingFacts viewingFactsOf(const Picture& picture, const Exhibit& exhibit) {
+ViewingFacts viewingFactsOf(const Picture& picture, const StepFigure& figure) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   ViewingFacts facts{kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone};
-  if (exhibit.stage != View::Viewing) return facts;
-  const ViewingStory story{picture, exhibit.vertex};
-  const VertexAtStage &world = story.world(), &here = story.of(exhibit.viewStage);
+  if (figure.stage != View::Viewing) return facts;
+  const ViewingStory story{picture, figure.vertex};
+  const VertexAtStage &world = story.world(), &here = story.of(figure.viewStage);
   facts.worldNdotL = world.NdotL.value_or(kNone), facts.worldI = world.I;
   facts.stageNdotL = here.NdotL.value_or(kNone), facts.stageI = here.I;
   if (world.cell && here.cell) facts.cells = std::abs(*world.cell - *here.cell);
-  facts.facesOff = facesOff(picture, story, exhibit.shadedIn);
-  const glm::dvec4 at = shownAt(story, exhibit.viewStage, lengthUnit(picture.scene()));
+  facts.facesOff = facesOff(picture, story, figure.shadedIn);
+  const glm::dvec4 at = shownAt(story, figure.viewStage, lengthUnit(picture.scene()));
   facts.w = at.w, facts.z = at.z;
   const Mesh& mesh = picture.scene().mesh;
   facts.outside = 0;
@@ -432,21 +432,21 @@ ViewingFacts viewingFactsOf(const Picture& picture, const Exhibit& exhibit) {
 
 namespace {
 
-/// Adds a sentence for each claim of the exhibit that does not hold where it is drawn.
-void check(const Exhibit& exhibit, const std::string& place, const Layout& window,
+/// Adds a sentence for each claim of the figure that does not hold where it is drawn.
+void check(const StepFigure& figure, const std::string& place, const Layout& window,
            std::vector<std::string>& broken) {
-  if (exhibit.claims.empty()) return;
+  if (figure.claims.empty()) return;
   constexpr std::uint8_t kGround = 8;
-  const SightLayout at = layoutOfSight(sightOf(window), exhibit, window.compact);
+  const FigureLayout at = layoutOfFigure(figureAreaOf(window), figure, window.compact);
   const auto drawn = [&](PictureSettings settings, const Rect& area) {
     settings.width = area.width, settings.height = area.height;
-    return makePicture(*exhibit.scene, settings, kGround);
+    return makePicture(*figure.scene, settings, kGround);
   };
-  const Picture picture = drawn(exhibit.settings, at.picture);
+  const Picture picture = drawn(figure.settings, at.picture);
   std::optional<Picture> lower;
-  if (exhibit.stage == View::SideBySide) lower = drawn(exhibit.beside, at.lower);
-  ShownExhibit facts{picture, picture.image(), lower ? &lower->image() : nullptr, exhibit};
-  for (const Claim& claim : exhibit.claims) {
+  if (figure.stage == View::SideBySide) lower = drawn(figure.beside, at.lower);
+  ShownFigure facts{picture, picture.image(), lower ? &lower->image() : nullptr, figure};
+  for (const Claim& claim : figure.claims) {
     if (facts.holds(claim)) continue;
     const FactRow& fact = allFacts()[static_cast<std::size_t>(claim.fact)];
     broken.push_back(place + ": " + std::string{fact.name} + " is " + facts.text(fact) +
@@ -461,7 +461,7 @@ std::vector<std::string> brokenClaims(const Lesson& lesson, glm::ivec2 window) {
   std::vector<std::string> broken;
   for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
     const std::string place = "step " + std::to_string(k + 1);
-    check(lesson.steps[k].exhibit, place, at, broken);
+    check(lesson.steps[k].figure, place, at, broken);
     if (!lesson.steps[k].question) continue;
     char letter = 'a';
     for (const LessonAnswer& answer : lesson.steps[k].question->answers)

@@ -13,20 +13,20 @@
 #include "shading/explain/explain.h"
 #include "shading/laboratory/exactness.h"
 #include "shading/picture/picture.h"
-#include "x11/lessons/exhibit.h"
 #include "x11/lessons/lesson.h"
+#include "x11/lessons/step_figure.h"
 
 namespace xnewell {
 
-/// The numbers of a stage of the viewing transformation that lessons tell: NaN where the exhibit shows none.
+/// The numbers of a stage of the viewing transformation that lessons tell: NaN where the figure shows none.
 struct ViewingFacts {
   double worldNdotL, worldI, stageNdotL, stageI;  ///< of the vertex that is followed
   double cells;                                   ///< from the world's cell to the stage's, either way
-  double facesOff;  ///< faces whose front has another cell if the light is computed where the exhibit says
+  double facesOff;  ///< faces whose front has another cell if the light is computed where the figure says
   double w, z;      ///< of the vertex at the stage; z in units of the file up to the shear
   double outside;   ///< corners of faces outside the planes that clip
 };
-[[nodiscard]] ViewingFacts viewingFactsOf(const Picture& picture, const Exhibit& exhibit);
+[[nodiscard]] ViewingFacts viewingFactsOf(const Picture& picture, const StepFigure& figure);
 
 /// The numbers in lessons. A lesson's file holds none of them: the program replaces {cuts} in its words by
 /// what it counts, and a claim says which number a sentence relies on.
@@ -34,7 +34,7 @@ struct ViewingFacts {
 /// Which part of the work a fact needs.
 enum class FactNeeds { Picture, Run, Oracle, Profile, Range, Beside, Face, Scanline, Viewing };
 
-/// What the facts of an exhibit are read from: the picture, and what the parts of the work have found.
+/// What the facts of a figure are read from: the picture, and what the parts of the work have found.
 struct FactSources {
   const Picture& picture;
   const IndexImage& image;   ///< the picture, painted
@@ -60,7 +60,7 @@ struct FactSources {
   int face = -1;
   std::optional<glm::ivec2> pixel = {};
   std::optional<Explanation> explained = {};
-  /// FactNeeds::Scanline: of the first named face, with the exhibit's bits.
+  /// FactNeeds::Scanline: of the first named face, with the figure's bits.
   int stepBits = 24;
   struct Filled {
     int samples = 0, rows = 0, otherCells = 0;
@@ -88,16 +88,16 @@ struct FactRow {
 /// was painted. Works for pictures of several channels too: sorting does not depend on colour.
 [[nodiscard]] SortedScene textbookRun(const Picture& picture);
 
-/// An exhibit as it is shown, and its facts. All that is passed must outlive this.
-class ShownExhibit {
+/// A figure as it is shown, and its facts. All that is passed must outlive this.
+class ShownFigure {
  public:
   /// `image` is the picture painted, `beside` the second picture of View::SideBySide or null. A fact is
   /// computed when it is first asked for, each part of the work once.
-  ShownExhibit(const Picture& picture, const IndexImage& image, const IndexImage* beside,
-               const Exhibit& exhibit)
-      : exhibit_{exhibit}, found_{picture, image, beside} {
-    if (!exhibit.names.empty()) found_.face = exhibit.names.front().face;
-    found_.stepBits = exhibit.stepBits;
+  ShownFigure(const Picture& picture, const IndexImage& image, const IndexImage* beside,
+              const StepFigure& figure)
+      : exhibit_{figure}, found_{picture, image, beside} {
+    if (!figure.names.empty()) found_.face = figure.names.front().face;
+    found_.stepBits = figure.stepBits;
   }
 
   /// NaN where the picture has none: a linear table has no ratio. No claim about it holds.
@@ -113,7 +113,7 @@ class ShownExhibit {
   /// Does a part of the work, if it was not done yet.
   void find(FactNeeds needs);
 
-  const Exhibit& exhibit_;
+  const StepFigure& exhibit_;
   FactSources found_;
 };
 

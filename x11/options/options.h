@@ -13,7 +13,7 @@
 #include "shading/picture/picture.h"
 #include "shading/scene/settings.h"
 #include "shading/trade/trade_request.h"
-#include "x11/options/window_view.h"
+#include "x11/options/window_place.h"
 #include "x11/views/views.h"
 #include "x11/visual/visual.h"
 

@@ -398,36 +398,36 @@ void addVectors(Section& s, const PixelStory& story, const ExplainedEquation& at
 
 /// An equation in one channel, or in all.
 void addEquation(Section& s, const Story& story, const Explanation& e, const ExplainedEquation& at,
-                 const std::string& where, const PixelSight& sight) {
+                 const std::string& where, const PixelChoice& choice) {
   const Illumination& user = story->picture.settings().light;
   const auto lights = static_cast<int>(at.lights.size());
-  const int first = sight.channel.value_or(0);
+  const int first = choice.channel.value_or(0);
   s.say(where + formulaOf(e, user), 9).tone = Tone::Bold;
   if (user.mistake != Mistake::None) {
     Fact& wrong = s.say("a mistake: " + std::string{rowOf(user.mistake).is}, 6);
     wrong.tone = Tone::Alarm, wrong.indent = 2;
   }
   if (lights > 0)
-    s.add(Sketch{.draw = [story, &e, &at, first, ball = sight.ball](
+    s.add(Sketch{.draw = [story, &e, &at, first, ball = choice.ball](
                              Pen& pen, const Rect& area) { drawBall(pen, area, *story, e, at, first, ball); },
                  .lines = 7,
                  .beside = true,
                  .id = kPressBall,
                  .weight = 6});
-  for (int c = first; c < (sight.channel ? first + 1 : e.channels); ++c) {
-    if (!sight.channel && e.channels > 1) s.say(std::string{kChannelNames[static_cast<std::size_t>(c)]});
+  for (int c = first; c < (choice.channel ? first + 1 : e.channels); ++c) {
+    if (!choice.channel && e.channels > 1) s.say(std::string{kChannelNames[static_cast<std::size_t>(c)]});
     Table put{.columns = {{}}, .least = 2, .most = 9, .rowWeight = 6, .indent = 2};
     for (std::string& line : numbersPutIn(e, at, c, rowOf(user.mistake)))
       put.rows.push_back({{std::move(line)}});
     s.add(std::move(put));
-    Fact& sum = s.say(sumOf(at, c, lights > 2 && sight.channel), 9);
+    Fact& sum = s.say(sumOf(at, c, lights > 2 && choice.channel), 9);
     sum.tone = Tone::Bold, sum.indent = 2;
   }
-  addVectors(s, *story, at, !sight.channel);
+  addVectors(s, *story, at, !choice.channel);
   const std::array<double, 3> terms{at.ambient[first], at.diffuse(first), at.specular(first)};
   const std::vector<double> rounded = roundedTerms({terms.begin(), terms.end()}, kD);
   s.add(Sketch{.draw = [terms](Pen& pen, const Rect& area) { drawTerms(pen, area, terms); }, .tells = kI});
-  if (sight.channel)
+  if (choice.channel)
     s.say("ambient " + number(rounded[0]) + "   diffuse " + number(rounded[1]) + "   specular " +
               number(rounded[2]) + "\tI " + number(at.I[first]) + " of 1",
           5, kI)
@@ -435,19 +435,19 @@ void addEquation(Section& s, const Story& story, const Explanation& e, const Exp
 }
 
 /// The equations that a window shows, or a text: of a vertex, or all; and the questions about the first.
-void addEquations(Page& page, const Story& story, const Explanation& e, const PixelSight& sight) {
+void addEquations(Page& page, const Story& story, const Explanation& e, const PixelChoice& choice) {
   Section& s = page.sections.emplace_back(Section{"3 equation"});
   const int lights = e.equations.empty() ? 0 : static_cast<int>(e.equations.front().lights.size());
-  const int c = sight.channel.value_or(0);
+  const int c = choice.channel.value_or(0);
   if (e.channels > 1)
-    s.aside = sight.channel ? std::string{kChannelNames[static_cast<std::size_t>(c)]} : "by channel";
+    s.aside = choice.channel ? std::string{kChannelNames[static_cast<std::size_t>(c)]} : "by channel";
   if (lights > 1) s.aside += (s.aside.empty() ? "" : ", ") + counted(lights, "light");
   for (const std::string& line : depthWords(e))
     s.say(line).tone = s.parts.size() > 1 ? Tone::Ink : Tone::Bold;
   const bool gouraud = e.method == Shading::Gouraud, map = e.method == Shading::Environment;
   const ExplainedEquation* first = nullptr;
   for (std::size_t k = 0; k < (gouraud ? e.vertices.size() : e.equations.size()); ++k) {
-    if (gouraud && sight.vertex && static_cast<std::size_t>(*sight.vertex) != k) continue;
+    if (gouraud && choice.vertex && static_cast<std::size_t>(*choice.vertex) != k) continue;
     const int at = gouraud ? e.vertices[k].equation : static_cast<int>(k);
     if (at < 0) continue;
     const ExplainedEquation& one = e.equations[static_cast<std::size_t>(at)];
@@ -456,7 +456,7 @@ void addEquations(Page& page, const Story& story, const Explanation& e, const Pi
                 gouraud                     ? "at " + letterOf(k) + ": "
                 : e.method == Shading::Flat ? "at the centroid: "
                                             : "",
-                sight);
+                choice);
   }
   if (first && gouraud) {
     std::string I;
@@ -478,7 +478,7 @@ void addEquations(Page& page, const Story& story, const Explanation& e, const Pi
       s.say(e.place && e.place->away ? "normals that face away from the light" : "the map of this material",
             3)
           .tone = Tone::Soft;
-      if (sight.channel) s.say("The ring is the place that is looked up.", 3).tone = Tone::Soft;
+      if (choice.channel) s.say("The ring is the place that is looked up.", 3).tone = Tone::Soft;
     }
   }
   if (!first || first->lights.empty()) return;
@@ -508,13 +508,13 @@ void drawShades(Pen& pen, const Rect& area, const ColorTable& table, int shade) 
 }
 
 /// From the intensity to a shade of the table.
-void addShade(Section& s, const Story& story, const Explanation& e, const PixelSight& sight) {
+void addShade(Section& s, const Story& story, const Explanation& e, const PixelChoice& choice) {
   const ColorTable& table = tableOf(*story, e);
   const auto& kind = kTables[static_cast<int>(table.settings().kind)];
   const int shade = std::clamp(e.value[0] - table.first(), 0, table.shades() - 1);
   const ColorTable::Picked picked = table.picked(shade);
   const Rgb16 color = table.color(shade),
-              stored = sight.palette ? (*sight.palette)[static_cast<std::size_t>(e.value[0])] : color;
+              stored = choice.palette ? (*choice.palette)[static_cast<std::size_t>(e.value[0])] : color;
   // At a border the rounding of the loop decides.
   const bool own = picked.has(e.intensity);
   const double I = own ? e.intensity : e.inLoop;
@@ -544,11 +544,11 @@ void addShade(Section& s, const Story& story, const Explanation& e, const PixelS
          "that shade is for " + pickedText(table, shade, decimals) + "; it holds " + listed(stored, 0), 7,
          kCell);
   s.fact("color", List{color.r, color.g, color.b}, "of 65535, as " + holdsText(table), 1, kCell);
-  if (sight.shownBits > 0)
+  if (choice.shownBits > 0)
     s.say("this screen shows " +
-              (sight.shownBits == 16 ? "all 16 bits"
-                                     : "the upper " + std::to_string(sight.shownBits) + " bits") +
-              ": " + listed(stored, 16 - sight.shownBits),
+              (choice.shownBits == 16 ? "all 16 bits"
+                                      : "the upper " + std::to_string(choice.shownBits) + " bits") +
+              ": " + listed(stored, 16 - choice.shownBits),
           2, kCell);
   if (std::abs(e.inLoop - e.intensity) > 1e-4)
     s.say("the picture's loop has I " + number(e.inLoop) +
@@ -558,7 +558,7 @@ void addShade(Section& s, const Story& story, const Explanation& e, const PixelS
           6, kI);
 }
 
-Section tablePart(const Story& story, const Explanation& e, bool shown, const PixelSight& sight) {
+Section tablePart(const Story& story, const Explanation& e, bool shown, const PixelChoice& choice) {
   Section s{"4 table"};
   s.fact("value", e.value[1] > 0 ? Data{List{e.value[0], e.value[1], e.value[2]}} : Data{e.value[0]});
   const std::string cell = std::to_string(story->cell());
@@ -566,8 +566,8 @@ Section tablePart(const Story& story, const Explanation& e, bool shown, const Pi
     s.say(
         "each channel is 1 + 254 I, rounded: " + listed(e.value) + "; as a colour " + listed(wantedColor(e)),
         8, kI);
-    const Palette palette = sight.palette
-                                ? *sight.palette
+    const Palette palette = choice.palette
+                                ? *choice.palette
                                 : story->picture.palette(CellPlan{story->picture.settings().table.kind});
     if (shown)
       s.say((story->picture.settings().dither ? "one of two colours that share these places: cell "
@@ -575,7 +575,7 @@ Section tablePart(const Story& story, const Explanation& e, bool shown, const Pi
                 cell + " has " + listed(palette[static_cast<std::size_t>(story->cell())], 8) + " of 255",
             8, kI);
   } else {
-    addShade(s, story, e, sight);
+    addShade(s, story, e, choice);
   }
   if (!shown) return s;
   const bool explained = story->isExplained();
@@ -647,10 +647,10 @@ Section dataOf(const PixelStory& story) {
 
 }  // namespace
 
-Page ofPixel(const Story& story, const PixelSight& sight) {
+Page ofPixel(const Story& story, const PixelChoice& choice) {
   const Picture& picture = story->picture;
   const PixelHistory& h = story->history;
-  const int chosen = sight.chosen >= 0 ? sight.chosen : h.shown;
+  const int chosen = choice.chosen >= 0 ? choice.chosen : h.shown;
   const std::string cell = std::to_string(story->cell());
   Page all{.of = "pixel " + std::to_string(story->i) + ", " + std::to_string(story->j) + " of " +
                  titleOf(picture.scene()) + " at " +
@@ -677,9 +677,9 @@ Page ofPixel(const Story& story, const PixelSight& sight) {
                         asked(kI, intensityWords(*story, *shown)) + ", cell " + asked(kCell, cell));
   if (chosen < 0) return all;
   const Explanation& e = story->explained[static_cast<std::size_t>(chosen)];
-  all.sections.push_back(surfacePart(*story, e, sight.channel.value_or(0)));
-  addEquations(all, story, e, sight);
-  all.sections.push_back(tablePart(story, e, chosen == h.shown, sight));
+  all.sections.push_back(surfacePart(*story, e, choice.channel.value_or(0)));
+  addEquations(all, story, e, choice);
+  all.sections.push_back(tablePart(story, e, chosen == h.shown, choice));
   if (!story->inColors()) {
     const auto value = static_cast<double>(e.value[0]);
     all.questions.push_back({kCell, "the cell", value, value, 0});
@@ -687,9 +687,9 @@ Page ofPixel(const Story& story, const PixelSight& sight) {
   return all;
 }
 
-Page besidePixel(const Story& story, const PixelSight& sight) {
+Page besidePixel(const Story& story, const PixelChoice& choice) {
   const bool ground = story->history.painted.empty();
-  const int face = ground ? -1 : story->explained[static_cast<std::size_t>(sight.chosen)].face;
+  const int face = ground ? -1 : story->explained[static_cast<std::size_t>(choice.chosen)].face;
   Section s;
   s.add(Sketch{
       .draw = [story, face](Pen& pen, const Rect& area) { drawNeighbourhood(pen, area, *story, face); },
@@ -711,9 +711,9 @@ Page besidePixel(const Story& story, const PixelSight& sight) {
   }
   fact("cell", asked(kCell, std::to_string(story->cell())), 7);
   if (story->shown()) fact("I", asked(kI, intensityWords(*story, *story->shown())), 7);
-  if (sight.before) {
-    fact("before: cell", std::to_string(sight.before->cell), 6, kNL);
-    fact("I", sight.before->I, 6, kNL);
+  if (choice.before) {
+    fact("before: cell", std::to_string(choice.before->cell), 6, kNL);
+    fact("I", choice.before->I, 6, kNL);
   }
   return {.sections = {std::move(s)}};
 }

@@ -47,7 +47,7 @@ struct PixelBefore {
 [[nodiscard]] std::string intensityWords(const PixelStory& story, const Explanation& e);
 
 /// What a window shows of a pixel. A text has all vertices and channels.
-struct PixelSight {
+struct PixelChoice {
   int chosen = -1;  ///< index into history.painted: the polygon that is explained; -1: what shows
   std::optional<int> vertex = {}, channel = {};
   std::optional<PixelBefore> before = {};
@@ -61,9 +61,9 @@ inline constexpr int kPressHistory = 1, kPressBall = 2, kPressAround = 3;
 namespace page {
 
 /// The four links of a pixel, and all of it in JSON.
-[[nodiscard]] Page ofPixel(const std::shared_ptr<const PixelStory>& story, const PixelSight& sight = {});
+[[nodiscard]] Page ofPixel(const std::shared_ptr<const PixelStory>& story, const PixelChoice& choice = {});
 /// The pixels around and the facts beside them, for the place below the picture.
-[[nodiscard]] Page besidePixel(const std::shared_ptr<const PixelStory>& story, const PixelSight& sight);
+[[nodiscard]] Page besidePixel(const std::shared_ptr<const PixelStory>& story, const PixelChoice& choice);
 
 }  // namespace page
 

@@ -127,7 +127,7 @@ void drawCode(ScanlinePen& pen) {
 void drawSpan(ScanlinePen& pen) {
   const ScanlineRun& run = pen.page.run;
   const std::vector<ScanQuantity>& quantities = run.quantities(pen.sample->part);
-  pen.section("span", valueInWords(run));
+  pen.section("span", valueText(run));
   // x, then the quantities, then the cell.
   std::vector<int> ends{pen.along(quantities.size() > 2 ? 150 : 168)};
   const int room = pen.right() - textWidth("  999") - ends.front();
@@ -182,7 +182,7 @@ void drawPixel(ScanlinePen& pen) {
 
 }  // namespace
 
-Control scanKindsControl(const ScanlineRun& run, const ScanlineView& view) {
+Control scanKindsControl(const ScanlineRun& run, const ScanlineState& view) {
   Control kinds{.kind = Control::Kind::Choice,
                 .part = transportId(TransportPart::Kinds).part,
                 .label = "jump to",
@@ -195,9 +195,9 @@ Control scanKindsControl(const ScanlineRun& run, const ScanlineView& view) {
   return kinds;
 }
 
-void drawScanlineSight(Pen& plain, const Rect& at, const ScanlineRun& run, int step) {
-  const ScanlineLayout layout = layoutOfScanlineSight(at);
-  const ScanlineView view{.step = step, .bits = run.bits()};
+void drawScanlineFigure(Pen& plain, const Rect& at, const ScanlineRun& run, int step) {
+  const ScanlineLayout layout = layoutOfScanlineFigure(at);
+  const ScanlineState view{.step = step, .bits = run.bits()};
   const Finding none;
   const IndexImage noImage;
   const ScanlinePage page{run, view, none, {}, noImage};
@@ -349,7 +349,7 @@ ScanlineLayout layoutOfScanline(const Rect& body) {
   return at;
 }
 
-ScanlineLayout layoutOfScanlineSight(const Rect& area) {
+ScanlineLayout layoutOfScanlineFigure(const Rect& area) {
   ScanlineLayout at;
   placeGrid(at, area, 340, /*compact=*/true);
   return at;

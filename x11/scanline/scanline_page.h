@@ -28,12 +28,12 @@ struct ScanlineLayout : TransportLayout {
 };
 [[nodiscard]] ScanlineLayout layoutOfScanline(const Rect& body);
 /// Grid and charts in an area; the other parts are empty.
-[[nodiscard]] ScanlineLayout layoutOfScanlineSight(const Rect& area);
+[[nodiscard]] ScanlineLayout layoutOfScanlineFigure(const Rect& area);
 /// The room of the scene's picture: as large as all pixels that the left half could have.
 [[nodiscard]] Rect scanlinePicture(const Rect& body);
 
 /// The state of the page besides the run itself.
-struct ScanlineView {
+struct ScanlineState {
   int step = 0;
   ScanMark kind = ScanMark::Row;  ///< the kind of step to jump to
   int bits = 24;
@@ -41,7 +41,7 @@ struct ScanlineView {
   bool playing = false, asking = false;
   bool code = false;  ///< the book's lines are shown, in place of the edges and the span
   Score score = {};
-  bool operator==(const ScanlineView&) const = default;
+  bool operator==(const ScanlineState&) const = default;
 };
 
 /// The pixels that the grid shows.
@@ -56,18 +56,18 @@ struct GridWindow {
 
 struct ScanlinePage {
   const ScanlineRun& run;
-  const ScanlineView& view;
+  const ScanlineState& view;
   const Finding& finding;
   std::string polygon;      ///< its name
   const IndexImage& image;  ///< of the scene
 };
 /// The grid and the charts alone, for another page.
-void drawScanlineSight(Pen& pen, const Rect& at, const ScanlineRun& run, int step);
+void drawScanlineFigure(Pen& pen, const Rect& at, const ScanlineRun& run, int step);
 void drawScanlinePage(Pen& pen, const ScanlineLayout& at, const ScanlinePage& page, const ControlList* list);
 
 /// How many pixels of the picture are one of the overview, in each direction.
 [[nodiscard]] int overviewScale(const Rect& overview, const IndexImage& image, int unit);
-[[nodiscard]] Control scanKindsControl(const ScanlineRun& run, const ScanlineView& view);
+[[nodiscard]] Control scanKindsControl(const ScanlineRun& run, const ScanlineState& view);
 
 /// Filling a polygon line by line, with the lines that a step has run and the values of their variables.
 /// @see Foley & van Dam 2e §3.6, §16.2.4

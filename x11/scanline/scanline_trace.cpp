@@ -31,7 +31,7 @@ class ScanlineTeller {
           {"parts", run_.parts().size()},
           {"one_hue", oneHue},
           {"says",
-           "face " + name + ": " + methodInWords(run_) +
+           "face " + name + ": " + methodText(run_) +
                (run_.parts().size() > 1
                     ? "; filled as " + counted(static_cast<std::int64_t>(run_.parts().size()), "triangle")
                     : "") +
@@ -115,7 +115,7 @@ class ScanlineTeller {
           {"drift", sample.stepped - sample.direct},
           {"cell", sample.steppedCell},
           {"direct_cell", sample.directCell},
-          {"says", stepInWords(run_, step)}});
+          {"says", stepText(run_, step)}});
   }
 
   const ScanlineRun& run_;

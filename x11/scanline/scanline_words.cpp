@@ -279,7 +279,7 @@ Finding findingOf(const ScanlineRun& run, const ScanlineRun* eight) {
   return finding;
 }
 
-std::string valueInWords(const ScanlineRun& run) {
+std::string valueText(const ScanlineRun& run) {
   const Ramp& ramp = run.ramp();
   if (run.picture().settings().interpolated == Interpolated::Cell)
     return "the value is a cell + 1/2 at the corners";
@@ -288,7 +288,7 @@ std::string valueInWords(const ScanlineRun& run) {
          (ramp.table != nullptr ? "the corrected table has its cell" : "its whole part is the cell");
 }
 
-std::string methodInWords(const ScanlineRun& run) {
+std::string methodText(const ScanlineRun& run) {
   if (run.isConstant()) return "one cell for the polygon: only the edges are stepped";
   if (run.isTextured()) return "a texture: u/w, v/w and 1/w at the corners, along two edges, along the row";
   if (run.hasNormals()) return "Phong: N at the corners, along two edges, along the row; then the equation";
@@ -296,7 +296,7 @@ std::string methodInWords(const ScanlineRun& run) {
   return "environment map: its column and row at the corners, along two edges, along the row";
 }
 
-std::string stepInWords(const ScanlineRun& run, int step) {
+std::string stepText(const ScanlineRun& run, int step) {
   if (step == 0) return "before the first sample";
   const ScanSample& sample = run.samples()[static_cast<std::size_t>(step - 1)];
   return "row " + std::to_string(run.spanOf(sample).row) + ", pixel " + std::to_string(sample.column) +
@@ -304,7 +304,7 @@ std::string stepInWords(const ScanlineRun& run, int step) {
 }
 
 std::vector<std::string> scanAsLines(const ScanlineRun& run, int step, const ScanlineRun* eight) {
-  std::vector<std::string> lines{stepInWords(run, step), methodInWords(run)};
+  std::vector<std::string> lines{stepText(run, step), methodText(run)};
   const auto joined = [](std::string text, const std::string& more) {
     return more.empty() ? text : text.empty() ? more : text + "  " + more;
   };

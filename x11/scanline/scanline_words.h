@@ -54,13 +54,13 @@ struct PixelLine {
 [[nodiscard]] Finding findingOf(const ScanlineRun& run, const ScanlineRun* eight);
 
 /// "value = 11.5 + 239 I; its whole part is the cell": from I to the value, for the polygon's own table.
-[[nodiscard]] std::string valueInWords(const ScanlineRun& run);
+[[nodiscard]] std::string valueText(const ScanlineRun& run);
 /// "Gouraud: I at the corners, along two edges, along the row"
-[[nodiscard]] std::string methodInWords(const ScanlineRun& run);
+[[nodiscard]] std::string methodText(const ScanlineRun& run);
 /// What a run of a scene whose cells hold colours says: its cells are not those of explain and view 8.
 inline constexpr std::string_view kInOneHue = "in one hue";
 /// "row 161, pixel 55: value 120.2847, cell 120"
-[[nodiscard]] std::string stepInWords(const ScanlineRun& run, int step);
+[[nodiscard]] std::string stepText(const ScanlineRun& run, int step);
 /// All of it, a line each.
 [[nodiscard]] std::vector<std::string> scanAsLines(const ScanlineRun& run, int step,
                                                    const ScanlineRun* eight);

@@ -251,7 +251,7 @@ std::vector<Phrase> phrasesOf(const PictureSettings& mine, const PictureSettings
   for (const Setting& setting : settingRows())
     if (differs(setting, mine, other)) phrases.push_back({phraseOf(setting, mine), true});
   for (const Setting& setting : settingRows())
-    if (setting.alwaysSaid && !differs(setting, mine, other) && hasEffect(setting, factsOf(mine)))
+    if (setting.alwaysNamed && !differs(setting, mine, other) && hasEffect(setting, factsOf(mine)))
       phrases.push_back({phraseOf(setting, mine), false});
   return phrases;
 }
@@ -300,10 +300,9 @@ Finding findingOf(const Picture& A, const Picture& B, const Difference& ofA, con
   }
   const std::string share = shareOf(unlike.above, unlike.errors.count);
   const std::string they = unlike.above > 0 ? "They differ at " + share + " of the samples that show a face."
-                           : unlike.kind == Unlike::Face
-                               ? "Both show the same face at every sample."
-                               : "The two pictures differ nowhere by more than " +
-                                     std::string{rowOf(unlike.kind).unitInWords} + ".";
+                           : unlike.kind == Unlike::Face ? "Both show the same face at every sample."
+                                                         : "The two pictures differ nowhere by more than " +
+                                                               std::string{rowOf(unlike.kind).unitText} + ".";
   const auto table = [](const Picture& picture) { return picture.settings().table.kind; };
   if (what.size() == 1 &&
       std::minmax({table(A), table(B)}) == std::pair{TableKind::Linear, TableKind::Corrected})

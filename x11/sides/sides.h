@@ -9,7 +9,7 @@
 
 #include "shading/picture/picture.h"
 #include "x11/drawing/rect.h"
-#include "x11/options/window_view.h"
+#include "x11/options/window_place.h"
 #include "x11/views/difference.h"
 
 namespace xnewell {

@@ -209,11 +209,11 @@ std::vector<std::string> SidesDrawing::drawNumbers() {
     y = sheet.paragraph(0, y + 6, at.width, page_.colors, Cell::Soft);
   pen_.paint.place(sheet.image(), at.x, at.y);
   drawLoupe({at.x, at.y + y + 12, at.width, room - y - 24});
-  if (!pairs) return sheet.inWords();
+  if (!pairs) return sheet.report();
   const int baseline = at.y + at.height - 4;
   const int cap = pen_.key(at.x, baseline - 11, "g");
   pen_.soft(at.x + cap + 6, baseline, page_.pairs);
-  return sheet.inWords();
+  return sheet.report();
 }
 
 void SidesDrawing::drawLoupe(const Rect& at) {

@@ -76,7 +76,7 @@ OwnSort::Reply OwnSort::paint(const SortRun& run, int P, int Q) {
     const std::string lesson =
         circle ? "Only a cut helps: " + circleText(run, pair.cycle) : capitalized(lessonOf(pair, two));
     reply = {false, name + " is painted too early.",
-             "It is nearer than " + two[0].name + ", which is left to paint, at " + most.inWords() + ". " +
+             "It is nearer than " + two[0].name + ", which is left to paint, at " + most.text() + ". " +
                  lesson + "."};
   }
   begin(P, Q);
@@ -101,7 +101,7 @@ OwnSort::Reply OwnSort::tell(const SortRun& run, Test test, int P, int Q) {
 OwnSort::Reply OwnSort::move(const SortRun& run, int P, int Q) {
   if (const Hidden here = record_.hidden(Q, P); here.samples > 0)
     return refuse("Q is not moved.",
-                  "Q is nearer than P at " + here.inWords() + ", so P must be painted before Q.");
+                  "Q is nearer than P at " + here.text() + ", so P must be painted before Q.");
   begin(P, Q);
   record_.move(P, Q);
   const std::string first = polygonName(run.fragments(), Q), old = polygonName(run.fragments(), P);

@@ -62,7 +62,7 @@ SortLine lineOf(Test test) { return kTestLines[static_cast<std::size_t>(test)]; 
 
 }  // namespace
 
-std::vector<CodeLine> sortCode(SortRun& run, const SortView& view) {
+std::vector<CodeLine> sortCode(SortRun& run, const SortState& view) {
   std::vector<CodeLine> lines;
   for (const std::string_view text : kText) lines.push_back({std::string{text}});
   for (const SortLine own : {MarkP, OnePlane, Nearer, NoSplit}) lines[own].ours = true;

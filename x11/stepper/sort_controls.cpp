@@ -6,7 +6,7 @@
 
 namespace xnewell {
 
-Control kindsControl(const SortRun& run, const SortView& view) {
+Control kindsControl(const SortRun& run, const SortState& view) {
   Control kinds{.kind = Control::Kind::Choice,
                 .part = transportId(TransportPart::Kinds).part,
                 .label = "jump to",
@@ -19,7 +19,7 @@ Control kindsControl(const SortRun& run, const SortView& view) {
   return kinds;
 }
 
-Control toggleControl(const SortView& view, int index) {
+Control toggleControl(const SortState& view, int index) {
   return {.kind = Control::Kind::Toggle,
           .part = sortId(SortPart::Toggle, index).part,
           .label = view.theirs && index == 0 ? "false step" : std::string{kToggleNames[index]},

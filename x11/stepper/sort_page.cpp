@@ -15,7 +15,7 @@ void drawBadge(SortPen& pen, int x, int y, bool isP) {
 namespace {
 
 /// Tells the list where the controls are. The page draws them all itself.
-void placeControls(ControlList& list, const SortLayout& at, const SortView& view, const SortDrawn& drawn) {
+void placeControls(ControlList& list, const SortLayout& at, const SortState& view, const SortDrawn& drawn) {
   const auto place = [&](SortPart part, int index, const Rect& area) {
     list.place(sortId(part, index), {.area = area, .bare = true});
   };
@@ -32,7 +32,7 @@ void placeControls(ControlList& list, const SortLayout& at, const SortView& view
 
 }  // namespace
 
-SortDrawn drawSortPage(Painter paint, const SortLayout& at, SortRun& run, const SortView& view,
+SortDrawn drawSortPage(Painter paint, const SortLayout& at, SortRun& run, const SortState& view,
                        const CellPlan& plan, ControlList* list) {
   run.goTo(view.step);
   std::optional<Event> event = run.asTested();

@@ -3,7 +3,7 @@
 #include "shading/color/palette.h"
 #include "x11/kit/control_list.h"
 #include "x11/stepper/sort_run.h"
-#include "x11/stepper/sort_view.h"
+#include "x11/stepper/sort_state.h"
 
 namespace xnewell {
 
@@ -18,12 +18,12 @@ enum class SortPart { Toggle = 10, Answer = 30, Act = 40, Test = 50, Row = 60 };
   return {0, static_cast<int>(part) + index};
 }
 /// The kinds of step to jump to, and a box, as the page shows them.
-[[nodiscard]] Control kindsControl(const SortRun& run, const SortView& view);
-[[nodiscard]] Control toggleControl(const SortView& view, int index);
+[[nodiscard]] Control kindsControl(const SortRun& run, const SortState& view);
+[[nodiscard]] Control toggleControl(const SortState& view, int index);
 
 /// Draws the whole body of the window. The run goes to the step of the view. The list says which control is
 /// under the pointer, dragged or selected, and learns where they are; without it they are drawn at rest.
-SortDrawn drawSortPage(Painter paint, const SortLayout& at, SortRun& run, const SortView& view,
+SortDrawn drawSortPage(Painter paint, const SortLayout& at, SortRun& run, const SortState& view,
                        const CellPlan& plan, ControlList* list = nullptr);
 
 }  // namespace xnewell

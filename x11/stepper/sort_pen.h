@@ -12,7 +12,7 @@ namespace xnewell {
 struct SortPen : Pen {
   const SortLayout& at;
   SortRun& run;
-  const SortView& view;
+  const SortState& view;
   const Event* event;                   ///< the event of the step; null at the start
   const Event* compare;                 ///< the tests that led to it; null if there are none
   int cut;                              ///< the polygon that the step cuts, P or Q; -1 if it cuts none

@@ -5,7 +5,7 @@
 
 #include "x11/kit/prompt.h"
 #include "x11/stepper/sort_run.h"
-#include "x11/stepper/sort_view.h"
+#include "x11/stepper/sort_state.h"
 
 namespace xnewell {
 
@@ -17,7 +17,7 @@ class SortPlayer {
   explicit SortPlayer(Prompt& prompt) : prompt_{prompt} {}
 
   std::unique_ptr<SortRun> run;
-  SortView view;
+  SortState view;
 
   /// Goes to a step, or to the nearest end of the run. If the learner predicts, and the step is a question,
   /// it is asked.

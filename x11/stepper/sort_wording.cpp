@@ -129,7 +129,7 @@ bool isQuestion(const Event& event) {
   return event.kind == Event::Kind::Compare && event.test != Test::XExtents && event.test != Test::YExtents;
 }
 
-std::string stepInWords(const SortRun& run) {
+std::string stepText(const SortRun& run) {
   const std::optional<Event> e = run.asTested();
   if (!e) return "start: nothing is painted";
   const std::string line = run.theirs() ? "line " + std::to_string(run.line()) + ", " : "";
@@ -252,7 +252,7 @@ std::vector<ShownTest> testsShown(const SortRun& run, const Event& compare) {
   return tests;
 }
 
-StepFinding findingOf(const SortRun& run, const SortView& view) {
+StepFinding findingOf(const SortRun& run, const SortState& view) {
   const Event* const e = run.replay().event();
   if (const auto& own = view.own)
     return {own->bold, own->why,
@@ -318,8 +318,8 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
   return finding;
 }
 
-std::vector<std::string> stepAsLines(const SortRun& run, const SortView& view) {
-  std::vector<std::string> lines{stepInWords(run)};
+std::vector<std::string> stepAsLines(const SortRun& run, const SortState& view) {
+  std::vector<std::string> lines{stepText(run)};
   if (view.asking) return lines;
   const std::optional<Event> e = run.asTested();
   if (e && e->kind == Event::Kind::Compare && !view.own)

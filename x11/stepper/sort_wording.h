@@ -16,7 +16,7 @@ namespace xnewell {
 [[nodiscard]] bool isQuestion(const Event& event);
 
 /// `test: P 85 body, Q 482 spout`; shorter if there is no Q.
-[[nodiscard]] std::string stepInWords(const SortRun& run);
+[[nodiscard]] std::string stepText(const SortRun& run);
 
 /// The tests in the order of the table, from 0.
 [[nodiscard]] constexpr Test testAt(int row) { return static_cast<Test>(row + 1); }
@@ -61,9 +61,9 @@ struct StepFinding {
   std::string aside = {};  ///< what the learner has predicted
   bool alarm = false;      ///< a cut, or a step that leads to one
 };
-[[nodiscard]] StepFinding findingOf(const SortRun& run, const SortView& view);
+[[nodiscard]] StepFinding findingOf(const SortRun& run, const SortState& view);
 /// The step, the tests that were made with their numbers, and the result: a line each. Nothing is told that
 /// the learner is asked to predict.
-[[nodiscard]] std::vector<std::string> stepAsLines(const SortRun& run, const SortView& view);
+[[nodiscard]] std::vector<std::string> stepAsLines(const SortRun& run, const SortState& view);
 
 }  // namespace xnewell

@@ -107,20 +107,20 @@ class StageImages {
   };
   template <class Make>
   const StageImage& get(ViewStage stage, bool large, const Shows& shows, const Make& make) {
-    std::optional<Kept>& kept = kept_[large ? 0 : static_cast<std::size_t>(stage) + 1];
+    std::optional<Cached>& kept = kept_[large ? 0 : static_cast<std::size_t>(stage) + 1];
     if (kept && kept->shows == shows && kept->stage == stage) return kept->image;
     StageMemory memory = kept ? kept->image.release() : StageMemory{};
     kept.reset();
-    return kept.emplace(Kept{stage, shows, make(std::move(memory))}).image;
+    return kept.emplace(Cached{stage, shows, make(std::move(memory))}).image;
   }
 
  private:
-  struct Kept {
+  struct Cached {
     ViewStage stage;
     Shows shows;
     StageImage image;
   };
-  std::array<std::optional<Kept>, kViewStages.size() + 1> kept_;
+  std::array<std::optional<Cached>, kViewStages.size() + 1> kept_;
 };
 
 struct OutsideView {

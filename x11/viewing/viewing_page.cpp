@@ -49,7 +49,7 @@ double lengthUnit(const Scene& scene) {
   return std::abs(scene.exponent) > kMostExponent ? 1.0 : std::ldexp(1.0, -scene.exponent);
 }
 
-std::string lengthsInWords(const Scene& scene) {
+std::string lengthsText(const Scene& scene) {
   return lengthUnit(scene) == std::ldexp(1.0, -scene.exponent)
              ? ""
              : "lengths are multiples of 2^" + std::to_string(scene.exponent) + " of the file's";
@@ -369,7 +369,7 @@ Page ofViewing(const OfViewing& of) {
   s.fact("stages", stages), s.fact("outside", namesOf(story.outside)), s.fact("cut_by", namesOf(story.cut));
   s.fact("face_gone", story.faceGone), s.fact("snapped", story.snapped), s.fact("plane", story.plane);
   s.fact("z_shift", story.zShift), s.fact("of_picture", story.ofPicture), s.fact("agrees", story.agrees);
-  if (const std::string lengths = lengthsInWords(scene); !lengths.empty()) s.say(lengths);
+  if (const std::string lengths = lengthsText(scene); !lengths.empty()) s.say(lengths);
   s.add(stageTable(of, -1));
   s.say(snappedWords(story)).indent = 12;
   s.say(std::string{"N is the plane's normal; I is the equation's at the vertex with this N"} +

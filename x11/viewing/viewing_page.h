@@ -19,7 +19,7 @@ namespace xnewell {
 /// long numbers, it is the scene's own.
 [[nodiscard]] double lengthUnit(const Scene& scene);
 /// "lengths are multiples of 2^41 of the file's" where that is another one than the file's; else "".
-[[nodiscard]] std::string lengthsInWords(const Scene& scene);
+[[nodiscard]] std::string lengthsText(const Scene& scene);
 /// The vertex of --viewing; "" is one in the middle of the picture. @throws UsageError if there is none
 [[nodiscard]] FaceCorner vertexOf(const Picture& picture, const std::string& text);
 /// "upper body": the group of the vertex's face; "face 495" where it has no name.

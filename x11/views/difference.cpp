@@ -56,7 +56,7 @@ void paintInColors(IndexImage& image, const Picture& picture, const Palette& pal
 
 }  // namespace
 
-Compared comparedWithReference(const Picture& picture, const Truth& truth) {
+Compared comparedWithReference(const Picture& picture, const GroundTruth& truth) {
   const PictureSettings& settings = picture.settings();
   const Palette palette = picture.palette(CellPlan{settings.table.kind});
   const Reference& reference = truth.reference();
@@ -128,7 +128,7 @@ int drawScale(Sheet& sheet, const UnlikeRow& measure, int x, int y) {
   painter.frame({x, y, width, 12}, sheet.cell(Cell::Ink));
   painter.text(x + width + 8, y + Sheet::kAscent - 1, measure.times, sheet.cell(Cell::Soft));
   painter.text(x, y + 32 + Sheet::kAscent,
-               "Darkest: below " + std::string{measure.unitInWords} + "; each step doubles.",
+               "Darkest: below " + std::string{measure.unitText} + "; each step doubles.",
                sheet.cell(Cell::Soft));
   return y + 32 + Sheet::kLine;
 }
@@ -152,7 +152,7 @@ void drawNumbers(Sheet& sheet, const Difference& d, int x, int y, int width) {
   row("samples that show a face", grouped(d.errors.count) + " of " + sizeText(d.width, height));
   row("mean difference" + of, fixed(d.errors.mean, decimals));
   row("largest difference", fixed(d.errors.largest, decimals));
-  row("above " + std::string{measure.unitInWords}, share(d));
+  row("above " + std::string{measure.unitText}, share(d));
   row("wrong face", grouped(d.wrongFaces));
   y = drawScale(sheet, measure, x, y + 6);
   const Finding finding = findingOf(d);
@@ -172,7 +172,7 @@ IndexImage stepsImage(const ErrorMap& errors, const CellPlan& plan) {
 Finding findingOf(const Difference& d) {
   const UnlikeRow& measure = rowOf(d.kind);
   const int decimals = measure.decimals;
-  const std::string unit{measure.unitInWords};
+  const std::string unit{measure.unitText};
   if (d.errors.count == 0) return {"Nothing shows.", ""};
   Finding finding{
       d.above == 0 ? "The picture is nowhere more than " + unit + " off, " + std::string{measure.means} + "."
@@ -193,7 +193,7 @@ PictureSettings pictureForDifference(const ViewSettings& settings) {
 ColoredImage drawDifference(const Picture& picture, const ViewSettings& settings) {
   const DifferencePlaces at{settings.picture.width, settings.picture.height};
   const PictureSettings& shown = picture.settings();
-  const Compared compared = comparedWithReference(picture, Truth{picture});
+  const Compared compared = comparedWithReference(picture, GroundTruth{picture});
 
   Sheet sheet{settings.picture.width, settings.picture.height, settings.cells};
   const Rect whole{0, 0, shown.width, shown.height};

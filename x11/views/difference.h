@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "shading/laboratory/errors.h"
-#include "shading/laboratory/truth.h"
+#include "shading/laboratory/ground_truth.h"
 #include "x11/drawing/sheet.h"
 #include "x11/views/views.h"
 
 namespace xnewell {
 
-/// How wrong is a picture, and where? It is compared with the truth about it (truth.h): the same scene,
-/// camera and light, and no short cut. The errors are those of errors.h, after the table.
+/// How wrong is a picture, and where? It is compared with the truth about it (ground_truth.h): the same
+/// scene, camera and light, and no short cut. The errors are those of errors.h, after the table.
 
 /// What two pictures may differ in at a sample, one row for each.
 enum class Unlike { Face, Intensity, Color };
@@ -21,7 +21,7 @@ struct UnlikeRow {
   std::string_view name;
   double unit;   ///< samples count as different above this
   int decimals;  ///< of a difference
-  std::string_view differs, same, times, unitInWords, means;
+  std::string_view differs, same, times, unitText, means;
 };
 inline constexpr std::array kUnlikes{
     UnlikeRow{Unlike::Face, "face", 0.0, 0, "another face", "same in A and B", "", "", ""},
@@ -47,7 +47,7 @@ struct Compared {
 };
 
 /// `picture` is painted; the reference is on its ground.
-[[nodiscard]] Compared comparedWithReference(const Picture& picture, const Truth& truth);
+[[nodiscard]] Compared comparedWithReference(const Picture& picture, const GroundTruth& truth);
 
 /// The errors as an image of the picture's size, in six steps: each is twice as large as the one before, the
 /// first is the unit. Without a unit there are two steps: none, and any.

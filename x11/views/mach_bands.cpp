@@ -114,7 +114,7 @@ class MachBands {
   Rect drawFindings(bool explains, bool grayed, int controls);
 
   [[nodiscard]] const IndexImage& image() const { return sheet_.image(); }
-  [[nodiscard]] const std::vector<std::string>& inWords() const { return sheet_.inWords(); }
+  [[nodiscard]] const std::vector<std::string>& report() const { return sheet_.report(); }
 
   /// The first row of the picture that is shown.
   [[nodiscard]] int firstRow() const {
@@ -324,7 +324,7 @@ MachBandsPage drawMachBandsPage(const Picture& picture, const MachBandsShown& sh
   view.drawPicture(picture.image());
   view.drawBlocks();
   const Rect place = view.drawFindings(settings.picture.height >= 600, shown.grayed, shown.controls);
-  return {view.image(), view.firstRow(), place, view.inWords()};
+  return {view.image(), view.firstRow(), place, view.report()};
 }
 
 }  // namespace xnewell

@@ -27,9 +27,9 @@ struct MachBandsLayout {
 
 struct MachBandsPage {
   IndexImage image;
-  int firstRow = 0;                       ///< the first row of the picture that is shown
-  Rect controls{};                        ///< left empty for the window's controls
-  std::vector<std::string> inWords = {};  ///< the finding and the table
+  int firstRow = 0;                      ///< the first row of the picture that is shown
+  Rect controls{};                       ///< left empty for the window's controls
+  std::vector<std::string> report = {};  ///< the finding and the table
 };
 struct MachBandsShown {
   int row = 0;  ///< the row of the picture that is the scanline

@@ -132,7 +132,7 @@ IndexImage withMarks(const Picture& picture, const Palette& palette) {
 }
 
 ShownPicture shownAs(View view, const Picture& picture, const Palette& palette, const CellPlan& plan,
-                     LastTruth& truth, int unit) {
+                     CachedGroundTruth& truth, int unit) {
   if (view == View::Picture) return {withMarks(picture, palette), palette, ""};
   if (view == View::Normals) {
     const ColoredImage normals = normalsImage(picture, plan, palette, unit);

@@ -6,7 +6,7 @@
 #include "shading/color/colored_image.h"
 #include "shading/color/index_image.h"
 #include "shading/color/palette.h"
-#include "shading/laboratory/truth.h"
+#include "shading/laboratory/ground_truth.h"
 #include "shading/picture/palette_effects.h"
 #include "shading/picture/picture_cache.h"
 #include "x11/views/view_table.h"
@@ -47,6 +47,6 @@ struct ShownPicture {
 /// `picture` is painted; `palette` has its colours. View::Difference needs the truth, which takes long to
 /// make; it is kept in `truth`. Marks and legends are drawn in units of so many pixels.
 [[nodiscard]] ShownPicture shownAs(View show, const Picture& picture, const Palette& palette,
-                                   const CellPlan& plan, LastTruth& truth, int unit = 1);
+                                   const CellPlan& plan, CachedGroundTruth& truth, int unit = 1);
 
 }  // namespace xnewell

@@ -5,18 +5,18 @@
 
 namespace xnewell {
 
-std::string orderInWords(Order order) { return std::string{rowOf(order).inWords}; }
+std::string orderText(Order order) { return std::string{rowOf(order).text}; }
 
-std::string shadingInWords(Shading shading) { return std::string{rowOf(shading).words}; }
+std::string shadingText(Shading shading) { return std::string{rowOf(shading).words}; }
 
 std::string captionOf(const Setup& setup) {
   const Control projection = settingControl('P', setup, setup, {});
   const MistakeRow& equation = rowOf(setup.picture.light.mistake);
   const bool mistaken =
       equation.id != Mistake::None && hasEffect(*settingOf("--mistake"), factsOf(setup.picture));
-  return shadingInWords(setup.picture.shading) +
+  return shadingText(setup.picture.shading) +
          (mistaken ? " with " + std::string{equation.words} : std::string{}) + "; " +
-         orderInWords(setup.picture.order) + "; " +
+         orderText(setup.picture.order) + "; " +
          (setup.fill == Fill::Scanline ? "own scanline" : "XFillPolygon") + "; " +
          projection.options[static_cast<std::size_t>(projection.value)];
 }

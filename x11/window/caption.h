@@ -11,8 +11,8 @@ namespace xnewell {
 /// One line that says how a picture is made: "flat; sorted by farthest z; own scanline; perspective".
 [[nodiscard]] std::string captionOf(const Setup& setup);
 /// "sorted by farthest z"
-[[nodiscard]] std::string orderInWords(Order order);
+[[nodiscard]] std::string orderText(Order order);
 /// "Gouraud", "full intensity"
-[[nodiscard]] std::string shadingInWords(Shading shading);
+[[nodiscard]] std::string shadingText(Shading shading);
 
 }  // namespace xnewell

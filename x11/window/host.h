@@ -5,7 +5,7 @@
 
 #include "shading/trade/trade_request.h"
 #include "x11/kit/prompt.h"
-#include "x11/options/window_view.h"
+#include "x11/options/window_place.h"
 #include "x11/window/controls.h"
 
 namespace xnewell {

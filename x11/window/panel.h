@@ -9,8 +9,8 @@
 #include "x11/drawing/painter.h"
 #include "x11/kit/typed_line.h"
 #include "x11/views/color_strip.h"
-#include "x11/window/bench.h"
 #include "x11/window/layout.h"
+#include "x11/window/window_view.h"
 
 namespace xnewell {
 

@@ -90,11 +90,11 @@ TEST(Rays, MeetTheNearestCard) {
 TEST(Rays, JudgeTheOrder) {
   const Scene scene = cards({1, 0});
   PictureSettings settings = fromAbove();
-  const JudgedByRays sorted = judgedByRays(makePicture(scene, settings));
+  const ByGroundTruth sorted = byGroundTruth(makePicture(scene, settings));
   EXPECT_GT(sorted.samples, 100);
   EXPECT_EQ(sorted.wrong, 0);
   settings.order = Order::Unsorted;
-  const JudgedByRays unsorted = judgedByRays(makePicture(scene, settings));
+  const ByGroundTruth unsorted = byGroundTruth(makePicture(scene, settings));
   EXPECT_GT(unsorted.wrong, 100);
   EXPECT_LT(unsorted.wrong, unsorted.samples + 1);
   EXPECT_NEAR(unsorted.behind, 1.0 / 4.0, 1e-12);  // 5 - 4 of 4
@@ -115,17 +115,17 @@ TEST(Rays, CallDoubtfulWhatTheGridCannotTell) {
       const double pixel = (view.windowMax.x - view.windowMin.x) / settings.width;
       const double step = std::ldexp(pixel / kGrid, picture.snapped().zShift + scene.exponent);
       const double away = 5 / std::ldexp(view.prp.z, scene.exponent);
-      return std::pair{judgedByRays(picture), parallel ? step : step * away * away};
+      return std::pair{byGroundTruth(picture), parallel ? step : step * away * away};
     };
     const double step = judged(0.125).second;
     ASSERT_GT(step, 0x1p-40);
     for (const double steps : {0.25, 0.75, 0.99}) {
-      const JudgedByRays seen = judged(steps * step).first;
+      const ByGroundTruth seen = judged(steps * step).first;
       EXPECT_EQ(seen.wrong, 0) << steps;
       EXPECT_GT(seen.doubtful, 100) << steps;
     }
     for (const double steps : {1.01, 1.5, 100.0}) {
-      const JudgedByRays seen = judged(steps * step).first;
+      const ByGroundTruth seen = judged(steps * step).first;
       EXPECT_GT(seen.wrong, 100) << steps;
       EXPECT_EQ(seen.doubtful, 0) << steps;
     }
@@ -165,7 +165,7 @@ TEST(Rays, AgreeWithTheDepthSort) {
       PictureSettings settings = scene.settings;
       settings.width = 120, settings.height = 90;
       settings.camera.parallel = parallel;
-      const JudgedByRays judged = judgedByRays(makePicture(scene, settings));
+      const ByGroundTruth judged = byGroundTruth(makePicture(scene, settings));
       EXPECT_GT(judged.samples, 1'000);
       EXPECT_EQ(judged.wrong, 0) << judged.behind;
     }

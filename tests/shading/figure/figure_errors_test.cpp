@@ -73,7 +73,7 @@ TEST(FigureErrors, CountsWhatDiffers) {
   const Picture picture = makePicture(std::move(scene), settings, std::uint8_t{0}).withPlanes();
   const Palette palette = picture.palette(CellPlan{settings.table.kind});
   VectorFigure figure = makeFigure(picture, figureOrder(picture, Order::Newell), palette);
-  const Truth truth{picture};
+  const GroundTruth truth{picture};
   const Comparison comparison{picture, truth, palette};
   const FigureErrors right = errorsOf(figure, comparison, palette);
   EXPECT_GT(right.samples, 4'000);

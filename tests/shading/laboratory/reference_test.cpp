@@ -1,4 +1,4 @@
-#include "shading/laboratory/truth.h"
+#include "shading/laboratory/ground_truth.h"
 
 #include <gtest/gtest.h>
 

@@ -126,7 +126,7 @@ TEST(RefinePicture, KeepsFacesAndOrder) {
   EXPECT_GT(samples, 100'000);
 }
 
-// Kept results do not show: after any change the picture equals one made from the start. Refining costs
+// Cached results do not show: after any change the picture equals one made from the start. Refining costs
 // nothing where it divides nothing: without a tolerance there are no refined polygons, and after a new table
 // none are made again.
 TEST(RefinePicture, IsMadeAgainWhenItMust) {

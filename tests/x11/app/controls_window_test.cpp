@@ -10,7 +10,7 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-/// Times differ between two windows: sides_test.cpp and trade_bench_test.cpp look at these views.
+/// Times differ between two windows: sides_test.cpp and trade_view_test.cpp look at these views.
 bool showsTimes(View view) { return view == View::SideBySide || view == View::Trade; }
 
 /// Uses the corrected table, so that no slider is off.

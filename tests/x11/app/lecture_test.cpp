@@ -7,10 +7,10 @@
 #include "tests/x11/support/find_text.h"
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/command/read_lecture.h"
-#include "x11/lessons/lesson_bench.h"
-#include "x11/scanline/scanline_bench.h"
-#include "x11/stepper/sort_bench.h"
-#include "x11/viewing/viewing_bench.h"
+#include "x11/lessons/lesson_view.h"
+#include "x11/scanline/scanline_view.h"
+#include "x11/stepper/sort_view.h"
+#include "x11/viewing/viewing_view.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -72,7 +72,7 @@ TEST_F(LectureTest, PagesTurn) {
   EXPECT_EQ(shown.setup().picture.shading, Shading::Phong);
   shown.turn(NamedKey::PageDown);
   EXPECT_EQ(shown.view(), View::DepthSort);
-  const auto& stepper = dynamic_cast<const SortBench&>(shown.bench());
+  const auto& stepper = dynamic_cast<const SortView&>(shown.bench());
   EXPECT_EQ(stepper.view().step, 12);
   const std::vector<std::uint8_t> third = shown.body();
   shown.turn(NamedKey::PageDown);  // there is none
@@ -92,7 +92,7 @@ TEST_F(LectureTest, PagesOpenTheViewingAndTheScanline) {
          {"title": "Rows", "show": "teapot --divisions 3 --view scanline --scanline 40 --step 9"})")};
   for (int times = 0; times < 2; ++times) {
     ASSERT_EQ(shown.view(), View::Viewing);
-    const auto& viewing = dynamic_cast<const ViewingBench&>(shown.bench());
+    const auto& viewing = dynamic_cast<const ViewingView&>(shown.bench());
     EXPECT_EQ(viewing.stage(), 3);
     EXPECT_EQ(viewing.vertex(), "12.2");
     EXPECT_EQ(shown.setup().picture.camera.prp, (glm::dvec3{-4, 1, 12}));
@@ -100,7 +100,7 @@ TEST_F(LectureTest, PagesOpenTheViewingAndTheScanline) {
     shown.finish();
     shown.turn(NamedKey::PageDown);
     ASSERT_EQ(shown.view(), View::Scanline);
-    const auto& rows = dynamic_cast<const ScanlineBench&>(shown.bench());
+    const auto& rows = dynamic_cast<const ScanlineView&>(shown.bench());
     EXPECT_EQ(rows.polygon(), "40");
     EXPECT_EQ(rows.view().step, 9);
     EXPECT_FALSE(shown.complains());
@@ -135,7 +135,7 @@ TEST_F(LectureTest, EachPageBeginsAnew) {
 TEST_F(LectureTest, StepsOfALessonComeFirst) {
   Shown shown{
       lecture(R"({"title": "Cards", "lesson": "five-tests"}, {"title": "Teapot", "show": "teapot"})")};
-  const auto& lesson = dynamic_cast<const LessonBench&>(shown.bench());
+  const auto& lesson = dynamic_cast<const LessonView&>(shown.bench());
   const int steps = static_cast<int>(lesson.lesson()->steps.size());
   for (int step = 0; step < steps; ++step) {
     EXPECT_EQ(shown.view(), View::Lesson);

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/x11/support/ready_workbench.h"
-#include "x11/lessons/lesson_bench.h"
+#include "x11/lessons/lesson_view.h"
 #include "x11/sides/sides_page.h"
 
 namespace xnewell::THIS_FILE {

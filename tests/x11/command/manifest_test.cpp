@@ -104,7 +104,7 @@ std::string windowAfter(const std::vector<std::string>& command, const Temporary
     finish(bench);
   }
   std::string said;
-  for (const std::string& line : bench.bench().inWords()) said += line + '\n';
+  for (const std::string& line : bench.bench().report()) said += line + '\n';
   said = withoutMachine(said);
   if (command[0] == "words") return said;
   IndexImage image = bench.image();

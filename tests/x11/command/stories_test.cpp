@@ -14,7 +14,7 @@
 #include "x11/app/workbench.h"
 #include "x11/command/read_lecture.h"
 #include "x11/lessons/lesson.h"
-#include "x11/options/window_view.h"
+#include "x11/options/window_place.h"
 
 namespace xnewell::THIS_FILE {
 

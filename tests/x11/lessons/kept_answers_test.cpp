@@ -1,4 +1,4 @@
-#include "x11/lessons/lesson_bench.h"
+#include "x11/lessons/lesson_view.h"
 
 #include <gtest/gtest.h>
 

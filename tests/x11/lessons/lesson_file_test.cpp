@@ -30,8 +30,8 @@ std::string complaintOf(const std::string& text) {
   return complaint([&] { return parsed(text); });
 }
 
-Exhibit exhibitOf(const std::string& more, const std::string& scene = "sticks") {
-  return parsed(withStep(more, scene)).steps[0].exhibit;
+StepFigure figureOf(const std::string& more, const std::string& scene = "sticks") {
+  return parsed(withStep(more, scene)).steps[0].figure;
 }
 
 }  // namespace
@@ -76,47 +76,47 @@ TEST(LessonFile, WordsAreInTheHouseStyle) {
   EXPECT_GT(words, 200);
 }
 
-TEST(LessonFile, EveryKeyOfAnExhibitWorks) {
-  EXPECT_EQ(exhibitOf("").stage, View::Picture);
+TEST(LessonFile, EveryKeyOfAFigureWorks) {
+  EXPECT_EQ(figureOf("").stage, View::Picture);
   for (const StageRow& row : stageRows())
     if (row.id != View::SideBySide) {
-      EXPECT_EQ(exhibitOf("\"window\": \"" + std::string{row.name} + "\"").stage, row.id);
+      EXPECT_EQ(figureOf("\"window\": \"" + std::string{row.name} + "\"").stage, row.id);
     }
-  EXPECT_EQ(exhibitOf(R"("shading": {"method": "phong", "n": 7})").settings.light.n, 7);
-  EXPECT_EQ(exhibitOf(R"("shading": {"order": "zmean", "table": {"shades": 9}})").settings.table.shades, 9);
-  EXPECT_EQ(exhibitOf(R"("camera": {"parallel": 4})").settings.camera.height.has_value(), true);
-  EXPECT_NE(exhibitOf(R"("camera": {"eye": [1, 2, 9]})").settings.camera, exhibitOf("").settings.camera);
-  EXPECT_EQ(exhibitOf(R"("line": "l")").line, "l");
-  EXPECT_TRUE(exhibitOf(R"("names": {"A": 0}, "extents": true)").extents);
-  EXPECT_TRUE(exhibitOf(R"("wrong": true)").wrongMarked);
-  EXPECT_EQ(exhibitOf(R"("divisions": 3)", "teapot").scene->divisions, 3);
+  EXPECT_EQ(figureOf(R"("shading": {"method": "phong", "n": 7})").settings.light.n, 7);
+  EXPECT_EQ(figureOf(R"("shading": {"order": "zmean", "table": {"shades": 9}})").settings.table.shades, 9);
+  EXPECT_EQ(figureOf(R"("camera": {"parallel": 4})").settings.camera.height.has_value(), true);
+  EXPECT_NE(figureOf(R"("camera": {"eye": [1, 2, 9]})").settings.camera, figureOf("").settings.camera);
+  EXPECT_EQ(figureOf(R"("line": "l")").line, "l");
+  EXPECT_TRUE(figureOf(R"("names": {"A": 0}, "extents": true)").extents);
+  EXPECT_TRUE(figureOf(R"("wrong": true)").wrongMarked);
+  EXPECT_EQ(figureOf(R"("divisions": 3)", "teapot").scene->divisions, 3);
 
-  const Exhibit named = exhibitOf(R"("names": {"A": 0, "C": 2}, "listed": [2, 0, 1])");
+  const StepFigure named = figureOf(R"("names": {"A": 0, "C": 2}, "listed": [2, 0, 1])");
   ASSERT_EQ(named.names.size(), 2U);
   EXPECT_EQ(named.names[0].face, 1);  // names follow their faces
   EXPECT_EQ(named.names[1].face, 0);
   EXPECT_EQ(named.scene->mesh.groupNames[static_cast<std::size_t>(named.scene->mesh.group[0])], "C");
 
-  const Exhibit sides = exhibitOf(
+  const StepFigure sides = figureOf(
       R"("window": "side by side", "beside": {"shading": {"method": "gouraud"}, "upper": "u", "lower": "o"})");
   EXPECT_EQ(sides.beside.shading, Shading::Gouraud);
   EXPECT_EQ(sides.settings.shading, Shading::Flat);
   EXPECT_EQ(sides.upperLine + sides.lowerLine, "uo");
 
   const PaletteEffects effects =
-      exhibitOf(
+      figureOf(
           R"("effects": {"stored": "brief", "hue turn": 90, "gamma": 2, "rotate": 5, "lit": 40, "bend": [100, 7]})")
           .effects;
   EXPECT_EQ(effects, (PaletteEffects{TableKind::Brief, 90, 2, CurvePoint{100, 7}, 5, 40}));
 
-  const EventChoice cut = exhibitOf(R"("event": {"kind": "cut", "number": 2, "says": "split"})").event;
+  const EventChoice cut = figureOf(R"("event": {"kind": "cut", "number": 2, "says": "split"})").event;
   EXPECT_EQ(cut.kind, Event::Kind::Split);
   EXPECT_EQ(cut.number, 2);
   EXPECT_EQ(cut.says, "split");
-  EXPECT_EQ(exhibitOf(R"("event": {"test": "3'"})").event.test, xnewell::Test::QBehindP);
+  EXPECT_EQ(figureOf(R"("event": {"test": "3'"})").event.test, xnewell::Test::QBehindP);
 
   const std::vector<Claim> claims =
-      exhibitOf(R"("claims": {"cuts": 3, "samples": {"at least": 1, "at most": 2}})").claims;
+      figureOf(R"("claims": {"cuts": 3, "samples": {"at least": 1, "at most": 2}})").claims;
   ASSERT_EQ(claims.size(), 2U);
   EXPECT_EQ(claims[0].is, 3);
   EXPECT_EQ(claims[1].least, 1);
@@ -133,12 +133,12 @@ TEST(LessonFile, StepsInherit) {
         {"heading": "2", "caption": ["c"], "shading": {"method": "phong"},
          "question": {"asks": "q", "answers": [
            {"text": "a", "says": "s", "shown": {"wrong": true}}, {"text": "b", "holds": true, "says": "s"}]}}]})");
-  const Exhibit& second = lesson.steps[1].exhibit;
+  const StepFigure& second = lesson.steps[1].figure;
   EXPECT_EQ(second.settings.order, Order::ZSort);
   EXPECT_EQ(second.settings.shading, Shading::Phong);
   EXPECT_EQ(second.names.size(), 1U);
   EXPECT_TRUE(second.claims.empty());
-  EXPECT_EQ(second.scene, lesson.steps[0].exhibit.scene);  // it is read once
+  EXPECT_EQ(second.scene, lesson.steps[0].figure.scene);  // it is read once
   const std::vector<LessonAnswer>& answers = lesson.steps[1].question->answers;
   EXPECT_TRUE(answers[0].shown.wrongMarked);
   EXPECT_FALSE(answers[1].shown.wrongMarked);

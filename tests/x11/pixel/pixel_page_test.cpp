@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "shading/picture/picture_cache.h"
-#include "x11/pixel/pixel_bench.h"
+#include "x11/pixel/pixel_view.h"
 
 namespace xnewell::THIS_FILE {
 

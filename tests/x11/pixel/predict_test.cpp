@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "shading/picture/picture_cache.h"
-#include "tests/x11/support/bench_stage.h"
+#include "tests/x11/support/staged_view.h"
 #include "x11/drawing/wording.h"
 #include "x11/kit/typed_line.h"
-#include "x11/pixel/pixel_bench.h"
+#include "x11/pixel/pixel_view.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -28,8 +28,8 @@ std::vector<page::Question> questionsAt(const Picture& picture) {
 }
 
 /// View 8 of a window, with the line that the student types on.
-struct Asked : BenchStage {
-  Asked() : BenchStage{"teapot", 4, 1024, 768} { draws(); }
+struct Asked : StagedView {
+  Asked() : StagedView{"teapot", 4, 1024, 768} { draws(); }
   void draws() {
     std::ranges::fill(image.pixels, std::uint8_t{0});
     draw(bench);
@@ -54,7 +54,7 @@ struct Asked : BenchStage {
     draws();
   }
 
-  PixelBench bench{*this, [this] { return Subject{pictures.scene(), glm::dvec3{0.0}, 1.5}; }};
+  PixelView bench{*this, [this] { return Subject{pictures.scene(), glm::dvec3{0.0}, 1.5}; }};
   TypedLine line;
 };
 
@@ -105,13 +105,13 @@ TEST(Predict, ValuesAreThoseOfTheChain) {
 TEST(Predict, AsksAndScores) {
   Asked view;
   const IndexImage before = view.image;
-  const std::size_t words = view.bench.inWords().size();
+  const std::size_t words = view.bench.report().size();
   ASSERT_TRUE(view.bench.inspected());
   view.predicts();
   EXPECT_EQ(view.line.typed()->asks, "predict N.L, to two decimals at least");
   EXPECT_NE(view.image, before);
   EXPECT_FALSE(view.bench.inspected());
-  EXPECT_EQ(view.bench.inWords().size(), 1u) << "only the pixel";
+  EXPECT_EQ(view.bench.report().size(), 1u) << "only the pixel";
   view.types("0.5");
   EXPECT_EQ(view.line.typed()->complaint, "Type at least two decimals.");
   view.types("7.77");
@@ -120,10 +120,10 @@ TEST(Predict, AsksAndScores) {
   EXPECT_TRUE(view.notices.back().starts_with("N.L is ")) << view.notices.back();
   EXPECT_TRUE(view.notices.back().ends_with("0 of 1 right at the first try.")) << view.notices.back();
   EXPECT_NE(view.image, before) << "what follows can still be asked";
-  EXPECT_EQ(view.bench.inWords().size(), 1u);
+  EXPECT_EQ(view.bench.report().size(), 1u);
   view.showsAll();
   EXPECT_EQ(view.image, before) << "all is shown again";
-  EXPECT_EQ(view.bench.inWords().size(), words);
+  EXPECT_EQ(view.bench.report().size(), words);
 
   // The next value. To give up without a try is no answer.
   view.predicts();

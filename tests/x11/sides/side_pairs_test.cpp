@@ -7,7 +7,7 @@
 namespace xnewell::THIS_FILE {
 
 // The pairs that teach something come one after the other, and each pair differs in one setting.
-TEST(SideBench, PairsDifferInOneThing) {
+TEST(SideBySideView, PairsDifferInOneThing) {
   ShownSides s{"teapot", ordered(Order::Newell, Shading::Phong)};
   for (const PairRow& row : kPairs) {
     SCOPED_TRACE(row.name);
@@ -21,7 +21,7 @@ TEST(SideBench, PairsDifferInOneThing) {
 }
 
 // A pair also sets what it rests on: faces in a right order, unless the pair is about the order, and light.
-TEST(SideBench, PairsHaveARightOrderAndLight) {
+TEST(SideBySideView, PairsHaveARightOrderAndLight) {
   ShownSides s{"teapot", ordered(Order::Unsorted, Shading::Full)};
   for (const PairRow& row : kPairs) {
     SCOPED_TRACE(row.name);

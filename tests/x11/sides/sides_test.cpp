@@ -23,7 +23,7 @@ struct Made {
         palette{picture.palette(CellPlan{settings.table.kind})} {}
   [[nodiscard]] ColoredPicture painted() const { return {picture, palette}; }
   [[nodiscard]] Difference errors() const {
-    return comparedWithReference(picture, Truth{picture}).difference;
+    return comparedWithReference(picture, GroundTruth{picture}).difference;
   }
 };
 

@@ -23,7 +23,7 @@ struct OwnPage : Stepper {
     press("Y");
     draw();
   }
-  [[nodiscard]] const OwnView& own() const { return *bench.view().own; }
+  [[nodiscard]] const OwnState& own() const { return *bench.view().own; }
   SortLayout at;
 };
 

@@ -33,7 +33,7 @@ struct Sorting : Stepper {
     press("Y");
     draw();
   }
-  [[nodiscard]] const OwnView& own() const { return *bench.view().own; }
+  [[nodiscard]] const OwnState& own() const { return *bench.view().own; }
   [[nodiscard]] std::vector<int> left() { return run().waiting(); }
   /// Chooses P with the keys.
   void chooseP(int id) {

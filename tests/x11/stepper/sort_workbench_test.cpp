@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tests/x11/support/ready_workbench.h"
-#include "x11/stepper/sort_bench.h"
+#include "x11/stepper/sort_view.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -180,7 +180,7 @@ TEST(SortWorkbench, SaysWhatItCannotShow) {
 
   // A click sorts the polygons around it. Esc leaves that part.
   const Rect picture = b.bench().picture(b.layout());
-  const auto& stepper = dynamic_cast<const SortBench&>(b.bench());
+  const auto& stepper = dynamic_cast<const SortView&>(b.bench());
   (void)b.grab(picture.x + picture.width / 2, picture.y + picture.height / 2);
   b.finish();
   EXPECT_FALSE(stepper.tooLong());
@@ -204,8 +204,8 @@ TEST(SortWorkbench, AnotherSceneHasNoTicks) {
   b.finish();
   b.type("b1b3y+");
   b.finish();
-  const auto& stepper = dynamic_cast<const SortBench&>(b.bench());
-  const SortView ticked = stepper.view();
+  const auto& stepper = dynamic_cast<const SortView&>(b.bench());
+  const SortState ticked = stepper.view();
   EXPECT_TRUE(ticked.predict);
   EXPECT_EQ(std::ranges::count(ticked.stops, true), 2);
   b.open(readScene("penetrate"), {});

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "shading/picture/picture_cache.h"
-#include "x11/lessons/lesson_bench.h"
+#include "x11/lessons/lesson_view.h"
 
 namespace xnewell {
 
@@ -71,7 +71,7 @@ class LessonWindow : public Host {
 
   Layout layout;
   xnewell::Setup own;  ///< the window's setup before any lesson
-  LessonBench bench{*this};
+  LessonView bench{*this};
   std::optional<PictureCache> pictures{readScene("teapot", 3)};
   std::optional<Picture> shown;  ///< the picture that was drawn last
   View view = View::Lesson;

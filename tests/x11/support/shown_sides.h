@@ -4,19 +4,19 @@
 
 #include <string_view>
 
-#include "tests/x11/support/bench_stage.h"
-#include "x11/sides/side_bench.h"
+#include "tests/x11/support/staged_view.h"
+#include "x11/sides/side_by_side_view.h"
 
 namespace xnewell {
 
 /// A bench on a stage, drawn.
 struct ShownSides {
-  BenchStage stage;
-  SideBench bench{stage,
-                  [this] {
-                    return Subject{stage.pictures.scene(), glm::dvec3{0}, 1.5};
-                  },
-                  [] { return kMaxShades; }};
+  StagedView stage;
+  SideBySideView bench{stage,
+                       [this] {
+                         return Subject{stage.pictures.scene(), glm::dvec3{0}, 1.5};
+                       },
+                       [] { return kMaxShades; }};
   explicit ShownSides(const char* scene = "teapot", const xnewell::Setup& setup = {}, int width = 1024,
                       int height = 768)
       : stage{scene, 3, width, height, setup} {

@@ -19,7 +19,7 @@ struct ShownSortPage {
   SortLayout at;
   std::unique_ptr<SortRun> run;
   IndexImage image;
-  SortView view;
+  SortState view;
   SortDrawn drawn;
 
   explicit ShownSortPage(Scene scene, const Rect& body = kWide, Cull cull = Cull::Keep)

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "shading/picture/picture_cache.h"
-#include "x11/stepper/sort_bench.h"
 #include "x11/stepper/sort_page.h"
+#include "x11/stepper/sort_view.h"
 
 namespace xnewell {
 
@@ -22,7 +22,7 @@ class Stepper : private Host {
   explicit Stepper(const char* scene, int divisions = 3, int width = 1024, int height = 768)
       : Stepper{readScene(scene, divisions), width, height} {}
 
-  SortBench bench;
+  SortView bench;
   xnewell::Setup wanted;
   std::vector<std::string> notices;
   std::vector<Question> questions;

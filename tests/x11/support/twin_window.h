@@ -8,7 +8,7 @@
 #include "tests/x11/support/ready_workbench.h"
 #include "tests/x11/support/watched_viewer.h"
 #include "x11/sides/sides_page.h"
-#include "x11/trade/trade_bench.h"
+#include "x11/trade/trade_view.h"
 
 #include <X11/keysym.h>
 

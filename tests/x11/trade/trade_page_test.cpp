@@ -1,4 +1,4 @@
-#include "x11/trade/trade_bench.h"
+#include "x11/trade/trade_view.h"
 
 #include <gtest/gtest.h>
 

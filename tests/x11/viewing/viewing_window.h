@@ -6,7 +6,7 @@
 
 #include "shading/scene/units.h"
 #include "tests/x11/support/ready_workbench.h"
-#include "x11/viewing/viewing_bench.h"
+#include "x11/viewing/viewing_view.h"
 
 namespace xnewell {
 
@@ -16,11 +16,11 @@ struct ViewingWindow : ReadyWorkbench {
       : ReadyWorkbench{{}, width, height, scene} {
     does('9');
   }
-  [[nodiscard]] ViewingBench& viewing() { return dynamic_cast<ViewingBench&>(bench()); }
+  [[nodiscard]] ViewingView& viewing() { return dynamic_cast<ViewingView&>(bench()); }
   [[nodiscard]] ViewingLayout places() const { return layoutOfViewing(layout()); }
   [[nodiscard]] std::string words() const {
     std::string all;
-    for (const std::string& line : bench().inWords()) all += line + '\n';
+    for (const std::string& line : bench().report()) all += line + '\n';
     return all;
   }
   [[nodiscard]] Camera camera() const { return placeCamera(scene(), setup().picture.camera, aspect()); }

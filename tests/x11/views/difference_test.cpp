@@ -7,7 +7,7 @@
 
 #include "depthsort/oracle.h"
 #include "geometry/model/solids.h"
-#include "shading/laboratory/truth.h"
+#include "shading/laboratory/ground_truth.h"
 #include "shading/picture/picture_cache.h"
 
 namespace xnewell::THIS_FILE {
@@ -22,7 +22,7 @@ PictureSettings small(Shading shading) {
   return s;
 }
 
-Compared compared(const Picture& picture) { return comparedWithReference(picture, Truth{picture}); }
+Compared compared(const Picture& picture) { return comparedWithReference(picture, GroundTruth{picture}); }
 
 /// A ball of flat faces, which the scene knows to be a sphere.
 Scene ball(int around, int down) {
@@ -68,7 +68,7 @@ TEST(Difference, IsThatOfEverySample) {
   const Difference& d = result.difference;
   EXPECT_EQ(d.kind, Unlike::Intensity);
   const std::vector<double> flat = balls.last().intensities(balls.last().seen(0, s.height));
-  const Truth truth{balls.last()};
+  const GroundTruth truth{balls.last()};
   const Reference& reference = truth.reference();
   double sum = 0, largest = 0;
   int samples = 0, above = 0, beyond = 0;

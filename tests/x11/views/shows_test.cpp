@@ -40,7 +40,7 @@ TEST(Shows, KeepThePictureAndItsColours) {
       const Picture picture = made(scene, plan, order.id);
       const PictureSettings& settings = picture.settings();
       const Palette palette = picture.palette(CellPlan{});
-      LastTruth truth;
+      CachedGroundTruth truth;
       for (const ViewRow& row : kViews) {
         if (row.key != 0 && row.id != View::Picture) continue;  // views of the window alone
         SCOPED_TRACE(std::string{scene} + ' ' + std::string{order.name} + ' ' + std::string{row.name});
@@ -68,7 +68,7 @@ TEST(Shows, TheGroundStays) {
   const Picture picture = made("teapot");
   const std::uint8_t well = CellPlan{}[Cell::Well];
   for (const View show : {View::Overdraw, View::Difference, View::Exactness, View::Normals}) {
-    LastTruth truth;
+    CachedGroundTruth truth;
     const ShownPicture shown = shownAs(show, picture, picture.palette(CellPlan{}), CellPlan{}, truth);
     const std::vector<int>& due = truth.of(picture).reference().faces();
     int differ = 0;

@@ -7,13 +7,13 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-using MootOptions = CommandTest;
+using OptionsWithoutEffect = CommandTest;
 
 }  // namespace
 
 // An option without effect is noted in one line, and the picture is the same. Where the option has an effect
 // there is no note, and the picture is another.
-TEST_F(MootOptions, AreNamed) {
+TEST_F(OptionsWithoutEffect, AreNamed) {
   struct Case {
     Strings option, moot, counts;
   };
@@ -72,7 +72,7 @@ TEST_F(MootOptions, AreNamed) {
 
 // If a picture leaves out something of its scene, one line says so for each. If a picture is empty, a line
 // says why.
-TEST_F(MootOptions, WhatIsLeftOutOfTheSceneIsNamed) {
+TEST_F(OptionsWithoutEffect, WhatIsLeftOutOfTheSceneIsNamed) {
   const auto told = [&](const std::string& scene, const Strings& options) {
     const Finished end =
         runProgram(Strings{"draw", scene, "--size", "80x60", "-o", file("new.png")} + options);
@@ -105,7 +105,7 @@ TEST_F(MootOptions, WhatIsLeftOutOfTheSceneIsNamed) {
 
 // --attenuation applies to the scene's own lights at places, as it does to the user's light at the same
 // place. If neither has a light at a place, it is refused.
-TEST_F(MootOptions, AttenuationFadesTheScenesLights) {
+TEST_F(OptionsWithoutEffect, AttenuationFadesTheScenesLights) {
   const auto drawn = [&](const std::string& scene, const Strings& options) {
     return draw(scene, options).png;
   };
@@ -127,7 +127,7 @@ TEST_F(MootOptions, AttenuationFadesTheScenesLights) {
 
 // What a scene file says of light and division gives way to the command line, and is not taken for the user's
 // words.
-TEST_F(MootOptions, TheFilesChoicesGiveWay) {
+TEST_F(OptionsWithoutEffect, TheFilesChoicesGiveWay) {
   const std::string scene = write("s.json", R"({"objects": [{"solid": "cube"}], "shading": {"method": "flat",
     "adapt": 0.1, "light_at": [3, 3, 3], "attenuation": "linear", "range": 20}})");
   const auto drawn = [&](const Strings& options) { return draw(scene, options).png; };

@@ -1,0 +1,409 @@
+#include "x11/lessons/lesson_view.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "tests/support/seeds.h"
+#include "tests/x11/support/lesson_window.h"
+#include "x11/app/workbench.h"
+#include "x11/drawing/painter.h"
+#include "x11/stepper/sort_run.h"
+
+namespace xnewell::THIS_FILE {
+
+// Lessons in the window: keys and pointer, what is hidden until an answer is given, and the room for words.
+
+namespace {
+
+constexpr std::array kSizes{glm::ivec2{800, 540}, glm::ivec2{800, 600}, glm::ivec2{1024, 768},
+                            glm::ivec2{1600, 1200}};
+
+IndexImage part(const IndexImage& image, const Rect& r) {
+  IndexImage copy{r.width, r.height, 0};
+  for (int j = 0; j < r.height; ++j) std::copy_n(image.row(r.y + j) + r.x, r.width, copy.row(j));
+  return copy;
+}
+
+/// All of the window but the column of words.
+IndexImage drawn(const LessonWindow& window) {
+  const Rect& body = window.layout.body;
+  return part(window.image, {body.x, body.y, body.width - kLessonColumn - kMargin, body.height});
+}
+
+void click(LessonWindow& window, const Rect& at) {
+  (void)window.bench.grab(at.x + at.width / 2, at.y + at.height / 2);
+  window.bench.drop();
+}
+
+/// The place of a control of the step.
+const ControlPlace& placeOf(const LessonWindow& window, char key) { return *window.bench.list().find({key}); }
+
+/// Rows of the list, in its order.
+std::vector<Rect> rowsOfList(const LessonWindow& window) {
+  std::vector<Rect> rows;
+  for (const auto& [id, place] : window.bench.list().places()) rows.push_back(place.area);
+  return rows;
+}
+
+/// One-line texts that are wider than their room in the column.
+std::vector<std::string> tooWide(LessonWindow& window) {
+  std::vector<std::string> found;
+  const auto need = [&](bool fits, const std::string& text) {
+    if (!fits) found.push_back(text);
+  };
+  const std::string& heading = window.bench.page().heading;
+  need(textWidth(heading, Voice::Title) <= kLessonColumn, heading);
+  for (const Control& control : window.bench.controls()) {
+    const ControlPlace* const at = window.bench.list().find(control.id());
+    if (!at || at->bare) continue;
+    const int value = at->x + at->style.value, right = at->x + at->style.width;
+    need(at->x + at->style.label + textWidth(control.label) <= value - 4, control.label);
+    need(textWidth(control.words) <= right - value - 18, control.words);
+    if (control.kind == Control::Kind::Slider) {
+      const std::string text = textOf(control.range, control.value);
+      need(at->track.x + at->track.width + 7 + textWidth(text) <= right, text);
+    }
+    const auto wordsEnd = [](const Rect& frame) { return frame.x + frame.width - 7; };
+    for (std::size_t k = 0; k < at->options.size(); ++k) {
+      const Rect& frame = at->options[k];
+      need(wordsEnd(frame) <= right, control.options[k]);
+      if (k > 0 && frame.y == at->options[k - 1].y)
+        need(frame.x + 6 - wordsEnd(at->options[k - 1]) >= 6, control.options[k]);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+// Each step of each lesson looks the same on the way forth and on the way back.
+TEST(LessonView, GoesForthAndBack) {
+  int steps = 0;
+  forEachLesson([&](const std::string& name) {
+    LessonWindow window;
+    begin(window, name);
+    const int last = static_cast<int>(window.bench.lesson()->steps.size()) - 1;
+    std::vector<IndexImage> seen{window.image};
+    std::vector<Palette> colors{window.palette};
+    for (int step = 1; step <= last; ++step) {
+      EXPECT_TRUE(window.press(NamedKey::PageDown));
+      EXPECT_EQ(window.bench.step(), step);
+      seen.push_back(window.draw());
+      colors.push_back(window.palette);
+      EXPECT_NE(seen.back(), seen[seen.size() - 2]);
+    }
+    for (int step = last - 1; step >= 0; --step) {
+      EXPECT_TRUE(window.press(NamedKey::PageUp));
+      EXPECT_EQ(window.draw(), seen[static_cast<std::size_t>(step)]);
+      EXPECT_EQ(window.palette, colors[static_cast<std::size_t>(step)]);
+      ++steps;
+    }
+    window.press(NamedKey::PageUp);
+    EXPECT_EQ(window.bench.step(), 0);
+    EXPECT_FALSE(window.notice.empty());
+  });
+  EXPECT_GE(steps, 30);
+}
+
+// Until an answer is given, the picture does not change and no words of an answer show. Choosing another
+// answer asks again, just as at first.
+TEST(LessonView, HidesTheOutcomeUntilAnAnswerIsGiven) {
+  int answers = 0, changed = 0;
+  forEachLesson([&](const std::string& name) {
+    LessonWindow window;
+    begin(window, name);
+    for (int step = 0; step < static_cast<int>(window.bench.lesson()->steps.size()); ++step) {
+      const LessonStep& asked = window.bench.lesson()->steps[static_cast<std::size_t>(step)];
+      if (!asked.question) continue;
+      window.bench.goTo(step);
+      window.draw();
+      const IndexImage before = drawn(window);
+      for (std::size_t k = 0; k < asked.question->answers.size(); ++k) {
+        SCOPED_TRACE(asked.question->answers[k].text);
+        window.press(static_cast<char>('a' + k));
+        window.draw();
+        EXPECT_EQ(drawn(window), before);
+        EXPECT_EQ(window.bench.page().question->says, "");
+        EXPECT_EQ(window.setup().picture, asked.figure.settings);
+        window.press(NamedKey::Return);
+        window.draw();
+        EXPECT_FALSE(window.bench.page().question->says.empty());
+        EXPECT_EQ(window.setup().picture, asked.question->answers[k].shown.settings);
+        changed += drawn(window) != before;
+        ++answers;
+      }
+    }
+  });
+  EXPECT_GE(answers, 50);
+  EXPECT_GE(changed, answers * 9 / 10);
+}
+
+// The angles at a stage stand beside a question about its light, but their outcome, in red, does not.
+TEST(LessonView, AnglesDoNotTellTheOutcome) {
+  int told = 0, asked = 0;
+  LessonWindow window;
+  begin(window, "shading-before-shearing");
+  const auto alarms = [&] {
+    return std::ranges::count(drawn(window).pixels, CellPlan{window.setup().picture.table.kind}[Cell::Alarm]);
+  };
+  for (int step = 0; step < static_cast<int>(window.bench.lesson()->steps.size()); ++step) {
+    const LessonStep& now = window.bench.lesson()->steps[static_cast<std::size_t>(step)];
+    if (!now.question || now.figure.shadedIn != ViewStage::World) continue;
+    window.bench.goTo(step);
+    window.draw();
+    EXPECT_EQ(alarms(), 0) << step;
+    ++asked;
+    window.press('a');
+    window.press(NamedKey::Return);
+    window.draw();
+    told += alarms() > 0;
+  }
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(told, 2);  // a turn keeps the light
+}
+
+// A step that was answered looks as it was left when it is visited again.
+TEST(LessonView, AnswersAreRememberedByStep) {
+  LessonWindow window;
+  begin(window, "cycles");
+  window.bench.goTo(2);
+  window.press('b');
+  window.press(NamedKey::Return);
+  const IndexImage given = window.draw();
+  window.press(NamedKey::PageDown);
+  window.draw();
+  window.press(NamedKey::PageUp);
+  EXPECT_EQ(window.draw(), given);
+}
+
+TEST(LessonView, ReturnAsksForAnAnswerAndThenGoesOn) {
+  LessonWindow window;
+  begin(window, "cycles");
+  window.bench.goTo(2);
+  window.press(NamedKey::Return);
+  EXPECT_FALSE(window.notice.empty());
+  EXPECT_EQ(window.bench.step(), 2);
+  window.press('d');
+  window.press(NamedKey::Return);
+  EXPECT_EQ(window.bench.step(), 2);
+  window.press(NamedKey::Return);
+  EXPECT_EQ(window.bench.step(), 3);
+  window.bench.goTo(2);
+  window.press(NamedKey::PageDown);  // without an answer
+  EXPECT_EQ(window.bench.step(), 3);
+}
+
+// Leaving a lesson brings back the window's own scene and setup.
+TEST(LessonView, LeavingClosesWhatItOpened) {
+  LessonWindow window;
+  begin(window, "specular");
+  window.press(NamedKey::Right);
+  EXPECT_GE(window.opened, 1);
+  EXPECT_TRUE(window.press(NamedKey::Escape));
+  EXPECT_EQ(window.closed, 1);
+  EXPECT_EQ(window.view, View::Picture);
+  EXPECT_EQ(window.setup(), window.own);
+  window.bench.enter();  // at the step that was left
+  EXPECT_EQ(window.bench.lesson()->name, "specular");
+  EXPECT_EQ(window.pictures->scene().name.find("lesson 3 of "), 0U);
+}
+
+TEST(LessonView, TheListOpensLessons) {
+  LessonWindow window;
+  window.bench.enter();
+  EXPECT_TRUE(window.bench.showsList());
+  window.draw();
+  const std::vector<LessonEntry> entries = builtInLessons();
+  ASSERT_EQ(rowsOfList(window).size(), entries.size());
+  EXPECT_FALSE(window.press('S'));
+  window.press(NamedKey::Down);
+  window.press(NamedKey::Down);
+  window.press(NamedKey::Up);
+  const IndexImage second = window.draw();
+  window.press(NamedKey::Home);
+  EXPECT_TRUE(window.bench.late(window.setup()));
+  EXPECT_NE(window.draw(), second);
+  window.press(NamedKey::Down);
+  EXPECT_EQ(window.draw(), second);
+  window.press(NamedKey::Return);
+  EXPECT_EQ(window.bench.lesson()->name, entries[1].name);
+  EXPECT_FALSE(window.bench.showsList());
+  window.draw();
+  window.press('7');
+  EXPECT_TRUE(window.bench.showsList());
+  window.press(NamedKey::Escape);
+  EXPECT_FALSE(window.bench.showsList());
+  window.press('7');
+  window.press('7');
+  EXPECT_FALSE(window.bench.showsList());
+  window.press('7');
+  window.draw();
+  click(window, rowsOfList(window).back());
+  EXPECT_EQ(window.bench.lesson()->name, entries.back().name);
+  window.bench.goTo(static_cast<int>(window.bench.lesson()->steps.size()) - 1);
+  window.press(NamedKey::PageDown);
+  EXPECT_TRUE(window.bench.showsList());  // after the last step of the last lesson
+  window.bench.start(readLesson(entries[0].file));
+  window.bench.goTo(static_cast<int>(window.bench.lesson()->steps.size()) - 1);
+  window.press(NamedKey::PageDown);
+  EXPECT_EQ(window.bench.lesson()->name, entries[1].name);
+  EXPECT_EQ(window.bench.step(), 0);
+}
+
+// The pointer does what keys do.
+TEST(LessonView, ThePointerDoesTheSame) {
+  LessonWindow keys, pointer;
+  begin(keys, "cycles");
+  begin(pointer, "cycles");
+  const auto same = [&] { EXPECT_EQ(pointer.draw(), keys.draw()); };
+  for (int step = 0; step < 2; ++step) {
+    keys.press(NamedKey::PageDown);
+    click(pointer, pointer.bench.layout().next);
+    same();
+  }
+  keys.press('b');
+  click(pointer, pointer.bench.layout().answers[1]);
+  same();
+  keys.press(NamedKey::Return);
+  click(pointer, pointer.bench.layout().answer);
+  same();
+  keys.press('M');
+  click(pointer, placeOf(pointer, 'M').box);
+  for (LessonWindow* window : {&keys, &pointer}) window->bench.hover(0, 0);
+  same();
+  keys.press(NamedKey::PageUp);
+  click(pointer, pointer.bench.layout().back);
+  same();
+
+  LessonWindow sliders;
+  begin(sliders, "specular");
+  const Rect ks = placeOf(sliders, 's').track;
+  EXPECT_TRUE(sliders.bench.grab(ks.x, ks.y));
+  EXPECT_EQ(sliders.setup().picture.light.ks, 0.0);
+  sliders.bench.dragTo(ks.x + ks.width / 2, ks.y + 40);
+  EXPECT_EQ(sliders.setup().picture.light.ks, 0.5);
+  sliders.bench.dragTo(2000, 0);
+  EXPECT_EQ(sliders.setup().picture.light.ks, 1.0);
+  sliders.bench.drop();
+
+  LessonWindow turned;
+  begin(turned, "cycles");
+  const CameraSettings before = turned.setup().picture.camera;
+  EXPECT_TRUE(turned.bench.grab(200, 200));
+  turned.bench.dragTo(240, 210);
+  EXPECT_NE(turned.setup().picture.camera, before);
+  turned.bench.drop();
+  turned.bench.goTo(1);  // this step does not offer turning
+  turned.draw();
+  EXPECT_FALSE(turned.bench.grab(200, 200));
+}
+
+// No text leaves its place, in any state of any step, in the smallest window or in larger ones.
+TEST(LessonView, AllTextsHaveRoom) {
+  int states = 0, sizes = 0;
+  for (const glm::ivec2 size : kSizes) {
+    if (kSanitized && size != kSizes[0]) continue;
+    ++sizes;
+    forEachLesson([&](const std::string& name) {
+      LessonWindow window{size};
+      begin(window, name);
+      forEachState(window, [&](const std::string& place) {
+        SCOPED_TRACE(place + " at " + std::to_string(size.x));
+        const LessonLayout& at = window.bench.layout();
+        EXPECT_LE(at.end, at.back.y - 4);
+        EXPECT_LE(at.back.y + at.back.height, window.layout.body.y + window.layout.body.height);
+        const int right = at.column.x + at.column.width;
+        for (const auto* lines : {&at.words, &at.asks, &at.after})
+          for (const auto& line : *lines) EXPECT_LE(line.x + textWidth(line.text), right) << line.text;
+        for (const auto& lines : at.answerLines)
+          for (const std::string& line : lines) EXPECT_LE(at.column.x + 64 + textWidth(line), right) << line;
+        EXPECT_THAT(tooWide(window), testing::IsEmpty());
+        EXPECT_LE(textWidth(window.bench.status() + "   " + window.bench.aside()), size.x * 2 / 3);
+        ++states;
+      });
+    });
+  }
+  EXPECT_GT(states, 100 * sizes);
+}
+
+// Every line of the list ends within the window.
+TEST(LessonView, TheListHasRoom) {
+  for (const glm::ivec2 size : kSizes) {
+    LessonWindow window{size};
+    window.bench.enter();
+    window.draw();
+    const Rect& body = window.layout.body;
+    const Rect last = rowsOfList(window).back();
+    EXPECT_LE(last.y + last.height, body.y + body.height);
+    for (const LessonEntry& entry : builtInLessons())
+      EXPECT_LE(48 + textWidth(entry.shows), body.width) << entry.shows;
+  }
+}
+
+// In the workbench, key 7 shows the list, a lesson brings its scene, and Esc brings back the window's own.
+TEST(LessonView, InTheWindow) {
+  Workbench window{readScene("teapot", 3), {}, {}};
+  window.resize(1024, 768);
+  const auto settle = [&] {
+    for (int k = 0; k < 4 && window.stale() != Workbench::Stale::Nothing; ++k) window.update();
+    ASSERT_EQ(window.stale(), Workbench::Stale::Nothing);
+  };
+  window.press({NamedKey::Letter, 'S'});
+  window.press({NamedKey::Letter, 'S'});
+  settle();
+  const xnewell::Setup own = window.setup();
+  const IndexImage before = window.image();
+  window.press({NamedKey::Letter, '7'});
+  settle();
+  EXPECT_EQ(window.view(), View::Lesson);
+  window.press({NamedKey::Return});
+  settle();
+  EXPECT_NE(window.setup(), own);
+  std::set<std::vector<std::uint8_t>> seen;
+  for (int step = 0; step < 4; ++step) {
+    seen.insert(window.image().pixels);
+    window.press({NamedKey::PageDown});
+    settle();
+  }
+  EXPECT_EQ(seen.size(), 4U);
+  window.press({NamedKey::Letter, 'c'});  // the shades, in other steps
+  window.press({NamedKey::Left});
+  EXPECT_EQ(window.setup().picture.table.shades, 240);  // step 5 offers no control
+  for (const char letter : {'w', 'e'}) {
+    window.press({NamedKey::Letter, letter});
+    EXPECT_FALSE(window.isAsking()) << letter;
+  }
+  const std::string ofLesson = window.picture().scene().name;
+  window.press({NamedKey::Letter, '2'});
+  settle();
+  EXPECT_EQ(window.view(), View::DepthSort);
+  EXPECT_EQ(window.picture().scene().name, ofLesson);
+  window.press({NamedKey::Escape});
+  settle();
+  EXPECT_EQ(window.view(), View::Lesson);
+  window.press({NamedKey::Escape});
+  settle();
+  EXPECT_EQ(window.view(), View::Picture);
+  EXPECT_EQ(window.setup(), own);
+  EXPECT_EQ(window.picture().scene().name, "teapot");
+  // All of the window but the times in the status line.
+  for (int j = 0; j < window.layout().status.y; ++j)
+    ASSERT_TRUE(std::equal(before.row(j), before.row(j) + before.width, window.image().row(j))) << j;
+}
+
+// From a step that shows an event of the sort, 2 goes to this event.
+TEST(LessonView, TheStepperBeginsAtTheEvent) {
+  LessonWindow window;
+  begin(window, "cycles");
+  window.bench.goTo(3);
+  window.draw();
+  ASSERT_TRUE(window.press('2'));
+  const SortRun run{*window.shown, 0};
+  ASSERT_GT(window.sortedFrom, 0);
+  EXPECT_EQ(run.sorted().events[static_cast<std::size_t>(window.sortedFrom - 1)].kind, Event::Kind::Cycle);
+}
+
+}  // namespace xnewell::THIS_FILE

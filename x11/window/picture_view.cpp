@@ -1,0 +1,627 @@
+#include "x11/window/picture_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/exact/scale.h"
+#include "geometry/exact/unit.h"
+#include "geometry/view/view.h"
+#include "shading/color/quantize.h"
+#include "shading/laboratory/exactness.h"
+#include "shading/light/mistake.h"
+#include "x11/drawing/painter.h"
+#include "x11/drawing/pen.h"
+#include "x11/drawing/sheet.h"
+#include "x11/drawing/wording.h"
+#include "x11/views/cell_facts.h"
+#include "x11/window/caption.h"
+#include "x11/window/drawer.h"
+
+namespace xnewell {
+
+namespace {
+
+/// The cells that shade the ball: the ramp if there is one. Otherwise the scene's cells may hold any colours,
+/// so the ball uses the grays of the interface.
+BallCells ballCells(const Picture& picture, const CellPlan& plan, bool ramp) {
+  struct Gray {
+    Cell cell;
+    int k;
+  };
+  static const std::vector<Gray> grays = [] {
+    const CellPlan usual;
+    const Palette palette = withInterface({}, usual);
+    std::vector<Gray> all;
+    for (const Cell cell :
+         {Cell::Black, Cell::Well, Cell::WellLine, Cell::Soft, Cell::Faint, Cell::WellText, Cell::White})
+      all.push_back({cell, palette[usual[cell]].g >> 8});
+    return all;
+  }();
+  BallCells ball;
+  for (int k = 0; k < 256; ++k) {
+    if (ramp) {
+      ball.low[k] = ball.high[k] = static_cast<std::uint8_t>(picture.table().cell(k / 255.0));
+      continue;
+    }
+    const auto above = std::ranges::find_if(grays.begin() + 1, grays.end() - 1,
+                                            [&](const Gray& gray) { return gray.k > k; });
+    const Gray &low = *(above - 1), &high = *above;
+    ball.low[k] = plan[low.cell], ball.high[k] = plan[high.cell];
+    ball.share[k] = (64 * (k - low.k) + (high.k - low.k) / 2) / (high.k - low.k);
+  }
+  return ball;
+}
+
+std::string countsOf(const Picture& picture) {
+  const SnappedScene& snapped = picture.snapped();
+  const auto backs = std::ranges::count(snapped.faces, true, &SnappedFace::back);
+  const SortedScene& sorted = picture.sorted();
+  const std::int64_t splits = sorted.statistics.splits, areas = sorted.statistics.areas;
+  // Orders that decide at each sample paint no polygon as a whole.
+  const bool whole = !rowOf(picture.settings().order).bySample;
+  const int polygons = snapped.polygons - snapped.degenerate, faces = picture.scene().mesh.faceCount();
+  return (polygons != faces ? counted(faces, "face") + ", " : "") + counted(polygons, "polygon") + ", " +
+         (splits > 0 ? counted(splits, "cut") + ", " : "") +
+         (whole ? grouped(static_cast<std::int64_t>(sorted.fragments.size())) + " painted" : "") +
+         (whole && areas > 0 ? " in " + counted(areas, "area") : "") + (whole ? ", " : "") +
+         counted(backs + snapped.culled, "back face") + "   " + grouped(picture.saturated()) + " clamped";
+}
+
+/// A sentence about how wrong the picture is; "" if it is right, or if that is not known.
+std::string inexactness(const Picture& picture, bool compact) {
+  constexpr std::size_t kMost = 100'000;  // polygons; with more, counting would take too long
+  const Order order = picture.settings().order;
+  if (rowOf(order).exact || picture.snapped().faces.size() > kMost) return {};
+  const Exactness e = exactnessOf(picture);
+  if (e.wrong == 0) return {};
+  return (compact ? "A" : "Not exact: " + orderText(order) + ", a") + " wrong face at " + grouped(e.wrong) +
+         " of " + grouped(e.samples) + " samples of " +
+         sizeText(picture.settings().width, picture.settings().height) + ".";
+}
+
+/// The intensities in force: Ia and the sum of all Ip, those of the scene where it has its own.
+struct InForce {
+  double Ia, Ip;
+  InForce(const Illumination& user, const SceneLight& own)
+      : Ia{largest(own.Ia.value_or(glm::dvec3{user.Ia}))}, Ip{user.Ip} {
+    glm::dvec3 sum{0.0};
+    for (const Light& light : own.lights) sum += light.Ip;
+    if (!own.lights.empty()) Ip = largest(sum);
+  }
+};
+
+/// A row for each light: "point 0.50", or the three numbers of a colour.
+std::vector<std::string> rowsOf(const std::vector<Light>& lights) {
+  std::vector<std::string> rows;
+  for (const Light& light : lights) {
+    const glm::dvec3& I = light.Ip;
+    rows.push_back((light.kind == LightKind::Directional
+                        ? "far"
+                        : std::string{kLights[static_cast<std::size_t>(light.kind)].name}) +
+                   ' ' + fixed(I.r, 2));
+    if (I.g != I.r || I.b != I.r) rows.back() += ' ' + fixed(I.g, 2) + ' ' + fixed(I.b, 2);
+  }
+  return rows;
+}
+
+/// Words for the colours that the picture of normals or of a term has of its own. They are in the cells from
+/// `first` on.
+SceneCellWords wordsOfOwnColors(View show, const CellUse& use, int first) {
+  int last = first + kMaxShades - 1;
+  while (last > first && use.samples[last] == 0) --last;
+  if (rowOf(show).term)
+    return {.cells = {first, last - first + 1},
+            .rule = "the values of " + std::string{rowOf(show).name},
+            .shortRule = std::string{rowOf(show).name},
+            .what = "values"};
+  return {.cells = {first, last - first + 1},
+          .rule = "directions of N, chosen from the picture",
+          .shortRule = "directions of N",
+          .what = "colours"};
+}
+
+}  // namespace
+
+Controls PictureView::controls() {
+  const Setup& now = host_.setup();
+  const Subject subject = subject_();
+  Controls all{lightControl(now, subject, change())};
+  all.back().drag = [this](int x, int y, int, int) {
+    const glm::dvec3 towards = glm::transpose(toView_) * directionOnBall(column_, x, y);
+    host_.change('l', [&](Setup& s) { aimLight(s.picture.light, towards, subject_().centre); });
+  };
+  for (Control& control : settingControls(now, host_.defaults(), change(), subject.scene)) {
+    if (control.key == 'p')  // its thumb stands at Ia + Ip
+      control.drag = [this](int x, int, int, int) {
+        const TrackRange share{};
+        const double sum = valueAt(share, double(x - column_.bar.x) / (column_.bar.width - 1));
+        host_.change('p', [&](Setup& s) {
+          s.picture.light.Ia = std::min(s.picture.light.Ia, sum);
+          (void)applyOverrides(s.picture, {{settingOf('p'), valueAt(share, sum - s.picture.light.Ia)}});
+        });
+      };
+    if (control.key == 'H' || control.key == 'E')
+      control.legend = control.label;  // it has no row in the column
+    all.push_back(std::move(control));
+  }
+  for (Control& control : cameraControls(now, subject, change())) all.push_back(std::move(control));
+  for (Control& button : buttonControls([this](char letter) { host_.pressLetter(letter); })) {
+    button.off = ownOfScene(button.key, subject.scene);
+    all.push_back(std::move(button));
+  }
+  return all;
+}
+
+bool PictureView::grab(int x, int y) {
+  const bool drags = WindowView::grab(x, y);
+  clicked_.reset();
+  if (drags && at_.picture.has(x, y)) clicked_ = {x, y};
+  return drags;
+}
+
+void PictureView::dragTo(int x, int y) {
+  constexpr int kStill = 2;  // units that a hand may tremble in a click
+  if (clicked_ && std::abs(x - clicked_->x) <= kStill && std::abs(y - clicked_->y) <= kStill) return;
+  clicked_.reset();
+  WindowView::dragTo(x, y);
+}
+
+void PictureView::drop() {
+  WindowView::drop();
+  if (!clicked_) return;
+  const glm::ivec2 at = *clicked_;
+  clicked_.reset();
+  host_.explain((at.x - at_.picture.x + 0.5) / at_.picture.width,
+                (at.y - at_.picture.y + 0.5) / at_.picture.height);
+}
+
+KeyTable PictureView::ownKeys() {
+  const auto all = [this](char key) {
+    return [this, key](const Key&) {
+      host_.change(key == 'i' ? '[' : ']', [&](Setup& s) {
+        (void)applyOverrides(s.picture, {{settingOf(key), 1.0}});
+      });
+    };
+  };
+  KeyTable table = zoomKeys(host_.setup(), subject_(), change());
+  table.insert(table.begin(), {{.legend = "turn", .does = "turn the scene", .gesture = "drag"},
+                               {.does = "explain the pixel under the pointer", .gesture = "click"}});
+  table.push_back({{'['}, "Ia = 1", "only ambient light", all('i')});
+  table.push_back({{']'}, "Ip = 1", "only the light of the point", all('p')});
+  return table;
+}
+
+void PictureView::draw(Painter paint, const DrawContext& context) {
+  at_ = context.layout;
+  const View show = at_.roomy ? context.setup.show : View::Picture;
+  if (context.fresh || show != shownAs_) {
+    shown_ = xnewell::shownAs(show, context.picture, context.palette, context.plan, truth_, at_.unit);
+    shownAs_ = show;
+  }
+  use_ = cellUse(shown_.image);
+  colors_ = {shown_.palette, {}};
+  if (rowOf(show).hasOwnColors() && context.picture.colors().plan() != ColorPlan::Cube)
+    colors_.words = wordsOfOwnColors(show, use_, context.picture.colors().table().first());
+  paint.place(shown_.image, at_.picture.x, at_.picture.y);
+  counts_ = countsOf(context.picture);
+  drawColumn(paint, context);
+  if (!at_.roomy) return;
+  findInexactness(context);
+  if (at_.drawer == Drawer::Whole)
+    drawCaption(paint, context);
+  else
+    drawHeadlines(paint, context);
+}
+
+void PictureView::findInexactness(const DrawContext& context) {
+  if (context.fresh || !counted_)
+    inexact_ = context.dragging ? std::string{} : inexactness(context.picture, at_.compact);
+  counted_ = !context.dragging;
+}
+
+void PictureView::drawHeadlines(Painter paint, const DrawContext& context) {
+  Pen pen{paint, context.plan};
+  const auto large = [&](const Rect& line, std::string_view text, Cell cell) {
+    paint.text(line.x, line.y + 23, beginningOf(std::string{text}, line.width, Voice::Title),
+               context.plan[cell], Voice::Title);
+  };
+  large(at_.headline, context.title, Cell::Ink);
+  const std::string made = captionOf(context.setup);
+  std::string found = shown_.finding;
+  if (found.empty() && !context.coarse) found = inexact_;
+  const Cell cell = shown_.finding.empty() && !found.empty() ? Cell::Alarm : Cell::Ink;
+  // Large letters where they fit; else the finding in bold, and below it how the picture was made.
+  const std::string& main = found.empty() ? made : found;
+  if (textWidth(main, Voice::Title) <= at_.finding.width) return large(at_.finding, main, cell);
+  const int y = at_.finding.y + 13;
+  pen.bold(at_.finding.x, y, beginningOf(main, at_.finding.width), cell);
+  if (found.empty()) return;
+  pen.soft(at_.finding.x, y + 16, beginningOf(made, at_.finding.width));
+}
+
+void PictureView::drawColumn(Painter paint, const DrawContext& context) {
+  const Controls all = controls();
+  const Control* const pointed = list_.hovered(all) ? list_.hovered(all) : list_.focused(all);
+  aside_ = msText(context.picture.times().total()) + " ms";
+  if (pointed && !pointed->is.empty()) {
+    const std::string is =
+        (pointed->kind == Control::Kind::Slider ? pointed->label + ": " : "") + pointed->is;
+    // What a control is for has the line to itself if it must.
+    const int room = context.layout.width - 2 * Sheet::kMargin - textWidth(is) - 18;
+    if (textWidth(counts_ + "   " + aside_) <= room)
+      aside_ += "   " + is;
+    else if (textWidth(counts_) <= room)
+      aside_ = is;
+    else
+      counts_ = is, aside_.clear();
+  }
+  list_.forgetPlaces();
+  list_.place({'t'}, {.area = at_.picture, .grip = at_.picture, .bare = true, .passive = true});
+  Pen pen{paint, context.plan};
+  if (!at_.roomy) return list_.draw(pen, all);
+
+  if (at_.drawer != Drawer::Whole) {
+    drawDrawer(pen, at_, all, context.few, list_);
+    return list_.draw(pen, all);
+  }
+  const Subject subject = subject_();
+  const Illumination& light = context.setup.picture.light;
+  const bool ramp =
+      !rowOf(context.setup.show).hasOwnColors() && context.picture.colors().plan() == ColorPlan::OneHue;
+  toView_ = vrcRotation(context.picture.camera().view);
+  const SceneLight& own = context.picture.scene().light;
+  const InForce inForce{light, own};
+  column_ = layoutOfControls(at_, all, context.setup);
+  for (const auto& [id, place] : column_.places) list_.place(id, place);
+  drawLightControls(pen, column_,
+                    {.setup = context.setup,
+                     .angles = lightAngles(light, subject.scene.up, subject.centre),
+                     .lightInView = toView_ * towardsLight(light, subject.centre),
+                     .ball = ballCells(context.picture, context.plan, ramp),
+                     .ownLights = rowsOf(own.lights),
+                     .ambient = inForce.Ia,
+                     .lights = inForce.Ip,
+                     .IaIsOwn = own.Ia.has_value(),
+                     .light = list_.look({'l'}),
+                     .Ia = list_.look({'i'}),
+                     .Ip = list_.look({'p'})});
+  list_.draw(pen, all);
+}
+
+void PictureView::drawCaption(Painter paint, const DrawContext& context) {
+  Pen pen{paint, context.plan};
+  const PictureSettings& p = context.setup.picture;
+  const int x = at_.picture.x;
+  int y = at_.picture.y + at_.picture.height + (at_.compact ? 16 : 19);
+  const std::string made = captionOf(context.setup);
+  if (at_.compact)
+    pen.ink(x, y, made);
+  else
+    pen.ink(pen.soft(x, y, "The picture: "), y, made);
+  y += 16;
+  const Illumination& l = p.light;
+  const InForce inForce{l, context.picture.scene().light};
+  std::string line = "Ia " + fixed(inForce.Ia, 2) + "  Ip " + fixed(inForce.Ip, 2) + "  ka " +
+                     fixed(l.ka, 2) + "  kd " + fixed(l.kd, 2) + "  ks " + fixed(l.ks, 2) + "  n " +
+                     std::to_string(l.n);
+  if (!at_.compact) {
+    if (l.constantL) line += "  L constant";
+    if (l.constantV) line += "  V constant";
+    line += "; " + std::string{kTables[static_cast<int>(p.table.kind)].name} + " table, " +
+            shadesText(context.picture);
+  }
+  const std::string inexact =
+      context.coarse ? "Coarse while dragging: " + captionOf({context.picture.settings()}) : inexact_;
+  const std::string& finding = shown_.finding;  // of any view but the shaded one
+  if (!at_.compact || (inexact.empty() && finding.empty())) pen.soft(x, y, line);
+  if (!at_.compact) y += 17;
+  if (!finding.empty()) {
+    pen.ink(x, y, finding);
+    return;
+  }
+  const int end = pen.paint.text(x, y, inexact, context.plan[Cell::Alarm]);
+  if (at_.compact || inexact.empty() || context.coarse) return;
+  int cap = end + 18;
+  for (const auto& [key, does] : {std::pair{"O", "next order"}, std::pair{"5", "beside Newell"}}) {
+    if (cap + 20 + textWidth(does) > x + at_.picture.width) break;
+    cap = pen.soft(cap + pen.key(cap, y - 11, key) + 5, y, does) + 12;
+  }
+}
+
+namespace {
+
+using Kind = Control::Kind;
+
+constexpr int kName = 24;  // units from the left edge of a row to the name
+constexpr int kButton = 20;
+
+Section sectionOf(char key) {
+  if (const Setting* const setting = settingOf(key)) return setting->section;
+  return key == 'W' || key == 'P' ? Section::Method : Section::Hidden;
+}
+
+int onBar(const Rect& bar, double value) {
+  return bar.x + static_cast<int>(std::lround(value * (bar.width - 1)));
+}
+
+/// Places the controls, from the top of the column to the bottom.
+class Walk {
+ public:
+  Walk(const Layout& at, const Controls& controls, const Setup& setup, int pitch)
+      : controls_{controls}, setup_{setup}, low_{at.low}, x_{at.controls.x}, y_{at.controls.y + 11} {
+    column_.compact = at.compact;
+    column_.area = at.controls;
+    row_.pitch = pitch;
+    row_.boxAfterKey = true;
+  }
+
+  ControlColumn column() && {
+    light();
+    section(Section::Surface, "SURFACE", 20);
+    section(Section::Method, "METHOD", 22);
+    section(Section::ColourTable, "COLOUR TABLE", 22);
+    buttons();
+    return std::move(column_);
+  }
+
+ private:
+  void add(const Control& control, ControlPlace place) {
+    column_.places.emplace_back(control.id(), std::move(place));
+  }
+
+  void light() {
+    const bool compact = column_.compact;
+    const int size = compact ? 112 : 152;
+    column_.ball = {x_ + kControls - size, column_.area.y, size, compact ? 78 : 128};
+    column_.radius = column_.ball.height * 54 / 128;
+    column_.headings.push_back({y_, "LIGHT"});
+    y_ += compact ? 19 : 24;
+    RowStyle narrow = row_;
+    narrow.width = column_.ball.x - kMargin - x_;
+    for (const Control& control : controls_)
+      if (control.key == 'l')
+        add(control, {.x = x_,
+                      .y = y_,
+                      .area = {x_, y_ - 14, narrow.width, compact ? 18 : 58},
+                      .grip = column_.ball,
+                      .bare = true});
+    y_ += compact ? 19 : 61;
+    for (const Control& control : controls_)
+      if (control.kind == Kind::Toggle) {
+        add(control, placeInRow(control, x_, y_, narrow));
+        y_ += compact ? 20 : 22;
+      }
+    y_ += compact ? 7 : 11;
+    intensities();
+    y_ += compact ? 35 : 44;
+  }
+
+  /// The part of the bar that is nearer to a thumb drags this thumb. If both are at one place, the left side
+  /// belongs to Ia and the right side to Ip.
+  void intensities() {
+    const Rect bar = column_.bar = {x_, y_ + 9, kControls, 10};
+    const Illumination& light = setup_.picture.light;
+    const int ia = onBar(bar, light.Ia), sum = onBar(bar, light.Ia + light.Ip);
+    const bool atEnd = ia == bar.x + bar.width - 1;
+    const int border = atEnd ? bar.x + bar.width : (ia + sum + 1) / 2;
+    const Rect reach{bar.x, bar.y - 4, bar.width, bar.height + 8};
+    for (const Control& control : controls_) {
+      const bool first = control.key == 'i';
+      if (!first && control.key != 'p') continue;
+      const int left = first ? bar.x : border, right = first ? border : bar.x + bar.width;
+      const int name = first ? x_ : x_ + kControls / 2;
+      add(control, {.x = x_,
+                    .y = y_,
+                    .area = {name, y_ - 14, kControls / 2, 15},
+                    .track = bar,
+                    .grip = {left, reach.y, right - left, reach.height},
+                    .bare = true});
+    }
+  }
+
+  void section(Section section, std::string_view name, int advance) {
+    y_ += low_ ? 4 : column_.compact ? 5 : 8;
+    column_.headings.push_back({y_, name});
+    y_ += low_ ? 17 : column_.compact ? 18 : advance;
+    const auto addAll = [&](Kind kind) {
+      for (const Control& control : controls_) {
+        if (control.kind != kind || sectionOf(control.key) != section) continue;
+        ControlPlace place = placeInRow(control, x_, y_, row_);
+        y_ += place.area.height;
+        add(control, std::move(place));
+      }
+    };
+    if (section != Section::ColourTable) addAll(Kind::Slider);
+    addAll(Kind::Choice);
+    if (section == Section::ColourTable) addAll(Kind::Slider);
+  }
+
+  void buttons() {
+    y_ += low_ ? 6 : column_.compact ? 3 : 4;
+    const int inRow = column_.compact ? 5 : 4, width = column_.compact ? 58 : 68;
+    const int pitch = (kControls - width) / (inRow - 1);
+    int placed = 0;
+    for (const Control& control : controls_) {
+      const auto* const row = std::ranges::find(kButtons, control.key, &ButtonRow::key);
+      if (control.kind != Kind::Button || (column_.compact && !row->always)) continue;
+      const int x = x_ + pitch * (placed % inRow);
+      const Rect box{x, y_ - 14, width, column_.compact ? kButton - 2 : kButton};
+      add(control, {.x = x, .y = y_, .area = box, .box = box});
+      if (++placed % inRow == 0) y_ += kButton + 4;
+    }
+  }
+
+  const Controls& controls_;
+  const Setup& setup_;
+  ControlColumn column_;
+  RowStyle row_;
+  bool low_;
+  int x_, y_;
+};
+
+/// Draws the ball of the light and the bar of the intensities.
+struct LightPen : Pen {
+  const ControlColumn& at;
+  const LightShown& shown;
+
+  [[nodiscard]] const ControlPlace& place(char key) const {
+    const auto found =
+        std::ranges::find(at.places, ControlId{key}, &std::pair<ControlId, ControlPlace>::first);
+    return found->second;
+  }
+  void light();
+  void ball();
+  void intensities();
+  void thumb(int x, const Rect& bar, const Look& look);
+};
+
+std::string withDegree(double degrees) { return fixed(degrees, 0) + "\u00B0"; }
+
+void LightPen::light() {
+  const ControlPlace& place = this->place('l');
+  const Rect& row = place.area;
+  if (shown.light.focused) drawFocus(*this, {row.x, row.y, row.width, at.compact ? 18 : 40}, 2);
+  const int x = place.x, y = place.y, end = row.x + row.width;
+  key(x, y - 11, "l");
+  if (!shown.ownLights.empty()) {
+    paint.text(x + kName, y, "the scene's own", (*this)(Cell::Faint));
+    return;
+  }
+  if (at.compact) {
+    ink(x + kName, y,
+        "azimuth " + withDegree(shown.angles.azimuth) + " elev. " + withDegree(shown.angles.elevation));
+    return;
+  }
+  ink(x + kName, y, "azimuth");
+  boldRight(end, y, withDegree(shown.angles.azimuth));
+  ink(x + kName, y + 18, "elevation");
+  boldRight(end, y + 18, withDegree(shown.angles.elevation));
+  ink(x + kName, y + 36, "distance");
+  boldRight(end, y + 36, shown.setup.picture.light.lightPosition ? "near" : "far");
+}
+
+/// Draws a sphere with the current material, form and table. A ring marks the light, so that the user can see
+/// L.
+void LightPen::ball() {
+  paint.fillRect(at.ball, (*this)(Cell::Well));
+  const int radius = at.radius, cx = at.ball.x + at.ball.width / 2, cy = at.ball.y + at.ball.height / 2;
+  if (const auto& own = shown.ownLights; !own.empty()) {
+    constexpr int kPitch = 14;
+    const int room = (at.ball.height - 8) / kPitch, count = static_cast<int>(own.size());
+    const int rows = count > room ? room - 1 : count;
+    for (int k = 0; k < rows; ++k)
+      paint.text(at.ball.x + 8, at.ball.y + kPitch * (k + 1) + 2,
+                 beginningOf(own[static_cast<std::size_t>(k)], at.ball.width - 12), (*this)(Cell::WellText));
+    if (rows < count)
+      paint.text(at.ball.x + 8, at.ball.y + kPitch * (rows + 1) + 2, std::to_string(count - rows) + " more",
+                 (*this)(Cell::WellText));
+    return;
+  }
+  paint.hline(cx - radius - 5, cy, 2 * radius + 11, (*this)(Cell::WellLine));
+  paint.vline(cx, cy - radius - 5, 2 * radius + 11, (*this)(Cell::WellLine));
+  const Illumination& light = shown.setup.picture.light;
+  const glm::dvec3& L = shown.lightInView;
+  const glm::dvec3 V{0, 0, 1};
+  const Reflection surface{light.ka, light.kd, light.ks, light.n};
+  for (int y = -radius; y <= radius; ++y)
+    for (int x = -radius; x <= radius; ++x) {
+      const double rest = static_cast<double>(radius) * radius - x * x - y * y;
+      if (rest < 0) continue;
+      const glm::dvec3 N = glm::dvec3{x, -y, std::sqrt(rest)} / static_cast<double>(radius);
+      const LightTerms terms = lightTerms(light.mistake, 1.0, light.Ip, surface, {N, unit(L), V}, light.form);
+      const double I =
+          std::max(0.0, rowOf(light.mistake).ambient * light.Ia * light.ka + terms.diffuse + terms.specular);
+      const auto k = static_cast<std::size_t>(255.0 * std::min(1.0, I) + 0.5);
+      const bool high = bayerRank(x & 7, y & 7) < shown.ball.share[k];
+      paint.point(cx + x, cy + y, (high ? shown.ball.high : shown.ball.low)[k]);
+    }
+  paint.ring(cx, cy, radius + 1, (*this)(Cell::WellLine));  // dark shades are as dark as the background
+  const int lx = cx + static_cast<int>(std::lround(radius * L.x)),
+            ly = cy - static_cast<int>(std::lround(radius * L.y));
+  const bool behind = L.z < 0;
+  paint.ring(lx, ly, 5, (*this)(behind ? Cell::Faint : Cell::White));
+  if (!behind)
+    paint.disc(lx, ly, 1, (*this)(Cell::White));
+  else
+    paint.text(at.ball.x + 5, at.ball.y + at.ball.height - 6, "behind", (*this)(Cell::Faint));
+}
+
+void LightPen::thumb(int x, const Rect& bar, const Look& look) {
+  const Rect box{std::clamp(x - 4, bar.x, bar.x + bar.width - 9), bar.y - 2, 9, 15};
+  paint.fillRect(box, (*this)(look.dragged ? Cell::Ink : look.hovered ? Cell::White : Cell::Paper));
+  paint.frame(box, (*this)(Cell::Ink));
+  paint.vline(box.x + 4, box.y + 4, 7, (*this)(look.dragged ? Cell::White : Cell::Ink));
+}
+
+/// Draws one bar of length 1: ambient light dark, point light dotted, the rest unused.
+void LightPen::intensities() {
+  const bool own = !shown.ownLights.empty();
+  const int x = place('i').x, y = place('i').y;
+  if (shown.Ia.focused || shown.Ip.focused) drawFocus(*this, {x, y - 14, kControls, at.compact ? 37 : 44}, 6);
+  key(x, y - 11, "i");
+  const auto number = [&](int from, std::string_view name, double value, bool off) {
+    const Cell cell = off ? Cell::Faint : Cell::Ink;
+    paint.text(paint.text(from, y, name, (*this)(cell)), y, fixed(value, 2), (*this)(cell), Voice::Bold);
+  };
+  number(x + 24, "Ia ", shown.ambient, shown.IaIsOwn);
+  key(x + 124, y - 11, "p");
+  number(x + 146, own ? "all Ip " : "Ip ", shown.lights, own);
+  const double unused = std::max(0.0, 1.0 - shown.ambient - shown.lights);
+  if (!own) paint.textRight(x + kControls, y, "unused " + fixed(unused, 2), (*this)(Cell::Soft));
+
+  const Rect& bar = at.bar;
+  const int ia = onBar(bar, shown.ambient), sum = onBar(bar, std::min(1.0, shown.ambient + shown.lights));
+  paint.fillRect(bar, (*this)(Cell::Panel));
+  paint.fillRect({ia, bar.y, sum - ia, bar.height}, (*this)(Cell::Rule));
+  paint.stipple({ia, bar.y, sum - ia, bar.height}, Stipple::Quarter, (*this)(Cell::Soft));
+  paint.fillRect({x, bar.y, ia - x, bar.height}, (*this)(Cell::Soft));
+  paint.frame(bar, (*this)(Cell::Faint));
+  for (int quarter = 0; quarter <= 4; ++quarter)
+    paint.vline(onBar(bar, quarter / 4.0), bar.y + 13, 3, (*this)(Cell::Faint));
+  if (!shown.IaIsOwn) thumb(ia, bar, shown.Ia);
+  if (!own) thumb(sum, bar, shown.Ip);
+}
+
+}  // namespace
+
+Controls buttonControls(const std::function<void(char)>& press) {
+  Controls all;
+  for (const ButtonRow& row : kButtons)
+    all.push_back({.kind = Kind::Button,
+                   .key = row.key,
+                   .label = std::string{row.label},
+                   .set = [press, key = row.key](double) { press(key); }});
+  return all;
+}
+
+ControlColumn layoutOfControls(const Layout& at, const Controls& controls, const Setup& setup) {
+  constexpr int kLeastPitch = 13;  // the height of the text
+  constexpr int kBelow = 4;        // units between the last button and the strip of colours
+  for (int pitch = at.compact ? 17 : 21;; --pitch) {
+    ControlColumn column = Walk{at, controls, setup, pitch}.column();
+    const Rect& last = column.places.back().second.area;
+    const int bottom = at.controls.y + at.controls.height - kBelow;
+    if (pitch == kLeastPitch || last.y + last.height <= bottom) return column;
+  }
+}
+
+void drawLightControls(Pen& pen, const ControlColumn& at, const LightShown& shown) {
+  LightPen light{pen, at, shown};
+  for (const ControlColumn::Heading& heading : at.headings) {
+    if (&heading != &at.headings.front()) pen.rule(at.area.x, heading.y - 16, kControls);
+    pen.caps(at.area.x, heading.y, heading.name);
+  }
+  light.ball();
+  light.light();
+  light.intensities();
+}
+
+glm::dvec3 directionOnBall(const ControlColumn& at, int x, int y) {
+  const double dx = x - (at.ball.x + at.ball.width / 2), dy = at.ball.y + at.ball.height / 2 - y;
+  const double length = std::hypot(dx, dy), far = length / at.radius;
+  if (length == 0) return {0, 0, 1};
+  const double across = far <= 1 ? far : std::max(0.0, 2 - far), z = std::sqrt(1 - across * across);
+  return {across * dx / length, across * dy / length, far <= 1 ? z : -z};
+}
+
+}  // namespace xnewell
