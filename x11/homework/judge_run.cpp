@@ -148,8 +148,13 @@ class RunJudge {
   [[nodiscard]] Truth onSide(int of, int planeOf, int allowed) const {
     Truth found{.noIsWrong = true};
     double needed = 1e300;
+    // What the plane has cut lies on one side of it, whatever rounding says of the corners on the cut.
+    const bool wasCut = std::ranges::any_of(part(of).region, [plane = face(planeOf).plane](const Side& side) {
+      return side.line.kind == Line::Kind::Cut && (side.line.p == plane || side.line.q == plane);
+    });
     for (const CornerDistance& c : distancesFromPlane(scene_, part(of).region, face(of), face(planeOf))) {
-      const bool mayBeOn = c.mayBeOn || std::abs(c.inFront) <= kOnPlane, beyond = c.sign == -allowed;
+      const bool mayBeOn = !wasCut && (c.mayBeOn || std::abs(c.inFront) <= kOnPlane),
+                 beyond = c.sign == -allowed;
       if (beyond && !mayBeOn && (!found.yesIsWrong || std::abs(c.inFront) > found.off))
         found = {true, false, std::abs(c.inFront), c.at};
       if (beyond || mayBeOn) found.noIsWrong = false;
@@ -340,9 +345,9 @@ class RunJudge {
     pair.made |= 1U << static_cast<int>(test);
     testedFaces_.insert(keyOfFaces(P, Q));
     if (pair.since != changes_) pair.since = changes_, pair.times = {};
-    if (++pair.times[static_cast<int>(test)] == kTimesRepeated) tellAgain(P, Q);
-    tested_ = {P, Q};
     const bool yes = outcome == "yes" || outcome == nameOf(Verdict::PFirst);
+    if (!yes && ++pair.times[static_cast<int>(test)] == kTimesRepeated) tellAgain(P, Q);
+    tested_ = {P, Q};
     Truth truth = truthOf(test, P, Q);
     if (outcome == nameOf(Verdict::QFirst)) truth.noIsWrong = truthOf(Test::Overlap, Q, P).yesIsWrong;
     if (!(yes ? truth.yesIsWrong : truth.noIsWrong) || wasTold(Falsehood::Answer, P, Q, test)) return;
@@ -599,13 +604,18 @@ class RunJudge {
       exchanged = larger(exchanged, larger(farthest(told[k], right[1 - k], mayBeOff),
                                            farthest(right[1 - k], told[k], mayBeOff)));
     }
-    if (off.pixels <= kOff) return;
     double area = 0, around = 0;
     for (const auto& outline : whole) area += areaOf(outline);
     for (const Figures& piece : told)
       for (std::size_t k = 0; k < piece[0].size(); ++k)
         around += glm::length(piece[0][k] - piece[0][(k + 1) % piece[0].size()]);
     const double behind = areaOf(told[0][0]), inFront = areaOf(told[1][0]);
+    // Wherever the cut is, the areas add up, unless the program clips.
+    const bool addUp = std::abs(behind + inFront - area) <= kRounded * around / 2,
+               isCounted =
+                   isTold[0] && isTold[1] && whole.size() == 1 &&
+                   std::ranges::all_of(whole[0], [&](const glm::dvec2& to) { return isInPicture(to); });
+    if (off.pixels <= kOff && (addUp || !isCounted)) return;
     const Off beyond = farthest({told[0][0], told[1][0]}, whole,
                                 [&](const glm::dvec2& place) { return !isInPicture(place); });
     FalseStep found{.kind = Falsehood::Cover,
@@ -615,13 +625,13 @@ class RunJudge {
                     .numbers = numbersOf(off.pixels),
                     .right = {at.pieces[0], at.pieces[1]},
                     .told = {told[0][0], told[1][0]}};
-    if (isTold[0] && isTold[1] && exchanged.pixels <= kOff) {
+    if (isTold[0] && isTold[1] && off.pixels > kOff && exchanged.pixels <= kOff) {
       found.kind = Falsehood::Sides;
       found.says = "the pieces of " + name(at.P) +
                    " are exchanged: what is called behind lies in front of the plane of " + name(at.Q);
     } else if (beyond.pixels > kOff) {
       found.says += "at " + placeText(beyond.at) + " one reaches " + pixels(beyond.pixels) + " beyond it";
-    } else if (std::abs(behind + inFront - area) > kRounded * around / 2) {
+    } else if (!addUp) {
       found.says += "their areas are " + significant(behind, 6) + " and " + significant(inFront, 6) +
                     ", its own is " + significant(area, 6) + " pixels";
     } else {
@@ -660,7 +670,7 @@ class RunJudge {
           return part(id).fragment.face == one.front && owns(part(id).region, one.at.i, one.at.j);
         });
       });
-      if (waiting.empty()) waiting.push_back(run_.polygonOfFace(number));
+      if (waiting.empty()) waiting.push_back(run_.polygonOfFace(number)), report_.unnamed.push_back(number);
       tell({Falsehood::Lost,
             waiting[0],
             -1,

@@ -64,7 +64,8 @@ struct RunReport {
   std::vector<FalseStep> wrong;   ///< the first one, and others that do not follow from those before
   std::vector<FalseStep> others;  ///< what is not listed
   int follow = 0;                 ///< how many of them may follow from those listed
-  int untested = 0;               ///< pairs with one painted over the other, of z that overlap, and no test
+  std::vector<int> unnamed;  ///< faces that the run never names and `wrong` or `others` do, in their order
+  int untested = 0;          ///< pairs with one painted over the other, of z that overlap, and no test
 };
 
 /// `picture` has planes. @throws ParseError for what is no run of this scene

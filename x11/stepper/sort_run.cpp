@@ -22,6 +22,7 @@ SortedScene recorded(const Picture& picture) {
 std::unique_ptr<NamedRun> played(const Picture& picture, const JudgedRun& theirs) {
   auto run = std::make_unique<NamedRun>(picture.withPlanes(), theirs.picture.snapped(), true);
   theirs.file.forEach([&](const RunStep& step) { run->step(step); });
+  for (const int face : theirs.report.unnamed) static_cast<void>(run->polygonOfFace(face));
   return run;
 }
 

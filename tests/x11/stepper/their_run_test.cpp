@@ -157,6 +157,15 @@ TEST(TheirRun, AnyLinesCanBeStepped) {
     }
   }
   EXPECT_GE(stepped, 40);
+  // A program that ended early has its last step, too.
+  for (std::size_t length = 1; length < lines.size(); ++length) {
+    std::ofstream out{file};
+    for (std::size_t k = 0; k < length; ++k) out << lines[k] << '\n';
+    out.close();
+    s.open(file);
+    s.goTo(s.run().steps());
+    s.draw();
+  }
 }
 
 // Their tests of a pair are one question, and the answer is the true one, whatever they say. From another
