@@ -148,10 +148,6 @@ class RunJudge {
   [[nodiscard]] Truth onSide(int of, int planeOf, int allowed) const {
     Truth found{.noIsWrong = true};
     double needed = 1e300;
-    // What the plane has cut lies on one side of it, whatever rounding says of the corners on the cut.
-    const bool wasCut = std::ranges::any_of(part(of).region, [plane = face(planeOf).plane](const Side& side) {
-      return side.line.kind == Line::Kind::Cut && (side.line.p == plane || side.line.q == plane);
-    });
     for (const CornerDistance& c : distancesFromPlane(scene_, part(of).region, face(of), face(planeOf))) {
       const bool mayBeOn = !wasCut && (c.mayBeOn || std::abs(c.inFront) <= kOnPlane),
                  beyond = c.sign == -allowed;
@@ -477,23 +473,32 @@ class RunJudge {
           numbersOf(early.at)});
   }
 
+  /// True if the plane of a face made a side of the fragment.
+  [[nodiscard]] bool wasCutBy(int id, int by) const {
+    return std::ranges::any_of(part(id).region, [plane = face(by).plane](const Side& side) {
+      return side.line.kind == Line::Kind::Cut && (side.line.p == plane || side.line.q == plane);
+    });
+  }
   void split(int P, int Q) {
     if (!isThere(P)) return;
     // The pair that led to it; in a cycle others may be split.
     const auto [p, q] = tested_;
     if (p >= 0 && std::minmax(P, Q) == std::minmax(p, q)) leftOut(p, q, !isInChain(q));
     bool crosses = run_[P].parts.empty() || run_[Q].parts.empty();
+    bool wasCut = false;
     double beyond = 0;
     for (const int id : crosses ? std::vector<int>{} : run_[P].parts) {
       const int by = run_[Q].parts.front();
       const Truth isBehind = onSide(id, by, -1), isInFront = onSide(id, by, 1);
-      crosses |= run_.record.crosses(id, by) || (!isBehind.noIsWrong && !isInFront.noIsWrong);
+      wasCut |= wasCutBy(id, by);
+      crosses |=
+          run_.record.crosses(id, by) || (!wasCutBy(id, by) && !isBehind.noIsWrong && !isInFront.noIsWrong);
       beyond = isBehind.noIsWrong ? isBehind.off : isInFront.off;
     }
     if (!crosses)
       tell({Falsehood::NoCut, P, Q,
-            name(P) + " is split by the plane of " + name(Q) + ", which does not cross it: it is " +
-                pixels(beyond) + " away",
+            name(P) + " is split by the plane of " + name(Q) + ", which does not cross it: it " +
+                (wasCut ? "has cut it before" : "is " + pixels(beyond) + " away"),
             numbersOf(beyond)});
   }
   void checkPieces(const RunStep& s, const NamedRun::Step& at) {
@@ -614,7 +619,7 @@ class RunJudge {
     const bool addUp = std::abs(behind + inFront - area) <= kRounded * around / 2,
                isCounted =
                    isTold[0] && isTold[1] && whole.size() == 1 &&
-                   std::ranges::all_of(whole[0], [&](const glm::dvec2& to) { return isInPicture(to); });
+                   std::ranges::all_of(whole[0], [&](const glm::dvec2&to) { return isInPicture(to); });
     if (off.pixels <= kOff && (addUp || !isCounted)) return;
     const Off beyond = farthest({told[0][0], told[1][0]}, whole,
                                 [&](const glm::dvec2& place) { return !isInPicture(place); });
