@@ -151,6 +151,8 @@ TEST(SharedCellsProgram, AreDividedAnewForAnotherScene) {
   open("hues");
   EXPECT_TRUE(viewer.window.comesToShow(hues, seen));
   EXPECT_GT(stranger.countFree(), 30u);  // the ramp is given back
+  { const Stranger other{server, 0}; }   // it paints them and ends
+  EXPECT_TRUE(comesTrue([&] { return stranger.countFree() > 30u; }));
   open("teapot");
   EXPECT_TRUE(viewer.window.comesToShow(teapot, seen));
   EXPECT_EQ(stranger.countFree(), 12u);  // left to others
