@@ -149,8 +149,7 @@ class RunJudge {
     Truth found{.noIsWrong = true};
     double needed = 1e300;
     for (const CornerDistance& c : distancesFromPlane(scene_, part(of).region, face(of), face(planeOf))) {
-      const bool mayBeOn = !wasCut && (c.mayBeOn || std::abs(c.inFront) <= kOnPlane),
-                 beyond = c.sign == -allowed;
+      const bool mayBeOn = c.mayBeOn || std::abs(c.inFront) <= kOnPlane, beyond = c.sign == -allowed;
       if (beyond && !mayBeOn && (!found.yesIsWrong || std::abs(c.inFront) > found.off))
         found = {true, false, std::abs(c.inFront), c.at};
       if (beyond || mayBeOn) found.noIsWrong = false;
