@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # x11/browser/build.sh: makes build/browser/xnewell.html, the window for browsers in one file that opens from a disk,
-# and xnewell.js with xnewell.wasm, the commands for Node. Emscripten, zlib and libpng are those of Debian 13, in a copy of a bare root
-# (tests/bare_roots.sh) that stays for the next time, in ~/.cache/xnewell/browser. What is not committed counts, too.
+# and xnewell.js with xnewell.wasm, the commands for Node. Emscripten, zlib and libpng are those of Debian 13, in a copy
+# of a bare root (tests/bare_roots.sh) that stays for the next time, in ~/.cache/xnewell/browser. What is not committed
+# counts, too.
 # Exit status: 77 if the root cannot be made here.
 set -euo pipefail
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../tests/bare_roots.sh"
