@@ -489,9 +489,9 @@ class RunJudge {
     for (const int id : crosses ? std::vector<int>{} : run_[P].parts) {
       const int by = run_[Q].parts.front();
       const Truth isBehind = onSide(id, by, -1), isInFront = onSide(id, by, 1);
-      wasCut |= wasCutBy(id, by);
-      crosses |=
-          run_.record.crosses(id, by) || (!wasCutBy(id, by) && !isBehind.noIsWrong && !isInFront.noIsWrong);
+      const bool was = wasCutBy(id, by);
+      wasCut |= was;
+      crosses |= run_.record.crosses(id, by) || (!was && !isBehind.noIsWrong && !isInFront.noIsWrong);
       beyond = isBehind.noIsWrong ? isBehind.off : isInFront.off;
     }
     if (!crosses)

@@ -327,7 +327,7 @@ void ShownFigure::find(FactNeeds needs) {
       return;
     }
     case FactNeeds::Viewing:
-      if (!found_.viewing) found_.viewing = viewingFactsOf(picture, exhibit_);
+      if (!found_.viewing) found_.viewing = viewingFactsOf(picture, figure_);
       return;
     case FactNeeds::Range:
       if (found_.range) return;

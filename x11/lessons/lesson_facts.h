@@ -95,7 +95,7 @@ class ShownFigure {
   /// computed when it is first asked for, each part of the work once.
   ShownFigure(const Picture& picture, const IndexImage& image, const IndexImage* beside,
               const StepFigure& figure)
-      : exhibit_{figure}, found_{picture, image, beside} {
+      : figure_{figure}, found_{picture, image, beside} {
     if (!figure.names.empty()) found_.face = figure.names.front().face;
     found_.stepBits = figure.stepBits;
   }
@@ -113,7 +113,7 @@ class ShownFigure {
   /// Does a part of the work, if it was not done yet.
   void find(FactNeeds needs);
 
-  const StepFigure& exhibit_;
+  const StepFigure& figure_;
   FactSources found_;
 };
 
