@@ -1,4 +1,6 @@
-"""The faces of a scene as every program gets them: x and y of the picture from -1 to 1; z is larger where nearer."""
+"""The faces of a scene as every program gets them: x and y of the picture from -1 to 1; z is larger where nearer.
+xnewell is asked for the camera's matrix alone (`explain --viewing`). All programs look along z behind this matrix, with
+parallel rays. No face is culled, none has an edge, and each has a colour of its own."""
 import json
 import subprocess
 from pathlib import Path

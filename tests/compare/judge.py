@@ -1,5 +1,7 @@
 """Which face is the nearest at each pixel, by comparing all faces there; and how much of a picture shows another one.
-It shares nothing with xnewell, and sorts nothing."""
+It shares nothing with xnewell, and sorts nothing. The face with the largest z at the centre of a pixel is right, in
+doubles. Beside all faces there must be paper: if more than a thousandth of it is painted, the run fails. The 100 judged
+pixels of each scene whose two nearest faces are closest are computed again in fractions."""
 from fractions import Fraction
 
 import numpy as np

@@ -8,8 +8,21 @@
 
 namespace xnewell {
 
-/// A kernel is a small piece of the program's arithmetic whose header claims a bound for its error. Here we
-/// search for the input whose error is the largest share of the bound.
+/// A kernel is a small piece of the program's arithmetic whose header claims a bound for its error. Random
+/// inputs hardly ever meet the few that round worst, so here we search for them. geometry_kernels.cpp and
+/// shading_kernels.cpp have a row for each kernel.
+///
+/// The references are computed with 256 bits or with whole numbers of any length, by another formula where
+/// there is one. They share no tolerance with the program.
+///
+/// The program rounds to nearest, and the bounds in the headers are for this mode. In the other modes a bound
+/// counts Kernel::directed times. Where a header says "exact", it is exact in all four modes; only the whole
+/// numbers of the snap and of valueSteps() may be the other neighbour. The compiler may compute constants of
+/// the program's files to nearest in any mode, so no test expects the same bits in two modes.
+///
+/// A search does not find a needle in a place that nothing leads to. So it begins with worst_inputs.txt: what
+/// some long searches saw, and inputs that are hard for another reason. A bound holds because its header
+/// derives it; the search looks for a mistake in the derivation or in the code.
 
 /// Half of a unit in the last place of 1: the most that a rounding to nearest changes a number, relatively.
 inline constexpr double kU = 0x1p-53, kSingle = 0x1p-24;
