@@ -16,6 +16,7 @@
 #include "depthsort/order.h"
 #include "shading/color/png.h"
 #include "shading/picture/picture_cache.h"
+#include "shading/scene/scene_file.h"
 #include "shading/scene/settings.h"
 #include "tests/support/doubt.h"
 #include "tests/support/painted.h"
@@ -218,6 +219,15 @@ TEST(ShadingReadme, HasTheErrorsOfPhong) {
     }
     EXPECT_TRUE(says("shading/README.md", "| `" + scene + "` | {} / {} | {} / {} |", errors));
   }
+}
+
+// The example of a scene file is one.
+TEST(ScenesPage, ShowsAScene) {
+  const std::string page = documentOf("data/SCENES.md");
+  const std::size_t begin = page.find("```json\n") + 8, end = page.find("```", begin);
+  ASSERT_LT(begin, end);
+  const Scene scene = parseSceneFile(page.substr(begin, end - begin), "SCENES.md", "");
+  EXPECT_EQ(scene.mesh.faceCount(), 7);
 }
 
 // From the default order, so many presses lead to the sort by farthest z.

@@ -25,9 +25,9 @@ constexpr std::array kOwnControls{
     LessonControl{'t', "turn", "turn", "turn the scene with the arrows", "arrows, or drag the picture"},
     LessonControl{'z', "zoom", "zoom", "come nearer or go away with the arrows", "arrows up and down"},
     LessonControl{'P', "projection", "project"},
-    LessonControl{'J', "nearest", "nearest"},
-    LessonControl{'L', "L constant", "L const.", "", "the light is far away"},
-    LessonControl{'V', "V constant", "V const.", "", "the viewer is far away"},
+    LessonControl{'J', "nearest", "nearest", "", "", "table.pick"},
+    LessonControl{'L', "L constant", "L const.", "", "the light is far away", "constant_l"},
+    LessonControl{'V', "V constant", "V const.", "", "the viewer is far away", "constant_v"},
     LessonControl{'M', "names", "names", "", "name the polygons"},
     LessonControl{'W', "wrong", "wrong", "", "mark them in the picture"},
     LessonControl{'v', "event", "step", "go through the run with the arrows"},
@@ -119,7 +119,7 @@ const std::vector<LessonControl>& lessonControls() {
     std::vector<LessonControl> all;
     for (const Setting& setting : settingRows())
       if (setting.control != 0 && setting.key != "fill" &&
-          std::ranges::find(kOwnControls, setting.control, &LessonControl::id) == kOwnControls.end())
+          std::ranges::find(kOwnControls, setting.key, &LessonControl::setting) == kOwnControls.end())
         all.push_back({setting.control, setting.label, setting.label});
     all.insert(all.end(), kOwnControls.begin(), kOwnControls.end());
     return all;

@@ -27,7 +27,7 @@ namespace xnewell {
 ///     "question" {"asks", "hint", "answers": 2 to 4 of {"text", "holds", "says", "shown"}}
 ///
 /// Exactly one answer "holds". After an answer is given, the page shows what it "says", and what is "shown":
-/// the step's figure with changes. A wrong answer is not marked wrong, so it needs a figure in which it
+/// the step's figure with changes. A wrong answer is shown to fail, so it needs a figure in which it
 /// fails. A step without "scene" begins with the figure of the step before, and changes it.
 /// Unknown keys, wrong types and values out of range are refused.
 
@@ -37,6 +37,7 @@ struct LessonControl {
   char id;  ///< its key, the same as in the views that have the control too
   std::string_view name, label;
   std::string_view is = {}, words = {};  ///< if they are not those of the views
+  std::string_view setting = {};         ///< the Setting::key of the setting that a lesson calls by this name
 };
 [[nodiscard]] const std::vector<LessonControl>& lessonControls();
 
@@ -105,7 +106,7 @@ void expectFigureKeys(const Node& node, std::initializer_list<std::string_view> 
 ///
 ///   "scene"      a built-in name, or a file in the folder; "divisions" of its patches
 ///   "listed"     all face numbers, in the order in which the scene lists them
-///   "camera", "shading"  as in scene files (scene_file.h), in place of the scene's own
+///   "camera", "shading"  as in scene files (data/SCENES.md), in place of the scene's own
 ///   "window"     one of stageRows()
 ///   "line"       a line of words over the picture
 ///   "names"      {"A": 0, ...}: letters for faces; "extents" true: their z-extents below it

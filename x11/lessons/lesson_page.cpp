@@ -109,7 +109,7 @@ void drawWays(Pen& pen, const LessonLayout& at, const LessonPage& page) {
   const int x = pen.paint.text(at.back.x + 46, y, "back", pen(first ? Cell::Faint : Cell::Ink));
   pen.paint.text(x + 8, y, "PgUp", pen(first ? Cell::Faint : Cell::Soft));
   drawButton(pen, at.next, false);
-  const int onward = pen.ink(at.next.x + (last ? 16 : 46), y, last ? "next lesson" : "next");
+  const int onward = pen.ink(at.next.x + (last ? 16 : 46), y, last ? "all lessons" : "next");
   pen.soft(onward + 8, y, "PgDn");
   pen.paint.triangle(at.next.x + at.next.width - 24, middle, 6, Direction::Right, pen(Cell::Ink));
 }
@@ -147,7 +147,7 @@ LessonLayout layoutOfLesson(const Rect& column, const LessonPage& page, const Co
       at.answer = {column.x, y, 100, compact ? 22 : 26};
       y += at.answer.height + pitch.gap;
     }
-    const std::string confirmed = question.right ? "Right. " : "";
+    const std::string confirmed = question.right ? "Right. " : "Not so. ";
     if (const std::string words = question.given ? confirmed + question.says : question.hint;
         !words.empty()) {
       y += 11;

@@ -108,16 +108,17 @@ void LessonView::goOn(int steps) {
   const int to = step_ + steps;
   if (to < 0) return host_.notify("This is the first step. 7 lists all lessons.");
   if (to < static_cast<int>(lesson_->steps.size())) return goTo(to);
-  if (const std::string score = answers_.score(lesson_->name); !score.empty())
-    host_.tell(lesson_->title + ": " + score);
+  showList(true);
+  const std::string score = answers_.score(lesson_->name);
+  done_ = "Done: " + lesson_->title + (score.empty() ? "" : ", " + score);
   const auto after =
       std::ranges::find_if(lessons_.entries(), [&](const auto& e) { return e.number > lesson_->number; });
-  if (after == lessons_.entries().end()) return showList(true);
-  start(readLesson(after->file));
+  if (after != lessons_.entries().end()) lessons_.choose(after->name);
 }
 
 void LessonView::showList(bool shown) {
   listing_ = shown;
+  done_.clear();
   state_.late = true;
   state_.moving = false;
   if (shown) lessons_.choose(lesson_->name);
@@ -217,7 +218,7 @@ void LessonView::draw(Painter paint, const DrawContext& context) {
   list_.forgetPlaces();
   Pen pen{paint, context.plan};
   if (listing_)
-    lessons_.draw(pen, context.layout, list_, lesson(), answers_);
+    lessons_.draw(pen, context.layout, list_, lesson(), answers_, done_);
   else
     drawStep(paint, context);
   list_.draw(pen, controls());
@@ -430,9 +431,10 @@ KeyTable LessonList::keys() {
 }
 
 void LessonList::draw(Pen& pen, const Layout& at, ControlList& places, const Lesson* open,
-                      const KeptAnswers& answers) {
+                      const KeptAnswers& answers, std::string_view done) {
   const Rect& body = at.body;
-  pen.paint.text(body.x, body.y + 21, "Lessons", pen(Cell::Ink), Voice::Title);
+  const int end = pen.paint.text(body.x, body.y + 21, "Lessons", pen(Cell::Ink), Voice::Title);
+  pen.ink(end + 24, body.y + 21, done);
   pen.softRight(body.x + body.width, body.y + 21, "arrows, then Return; or the pointer");
   pen.rule(body.x, body.y + (at.compact ? 34 : 42), body.width);
   int top = body.y + (at.compact ? 44 : 60);

@@ -56,8 +56,9 @@ class LessonList {
   [[nodiscard]] KeyTable keys();
   [[nodiscard]] bool late() const { return chosen_ != drawn_; }
   /// Draws the list with the scores, and places its rows in `places`. `open` is the lesson that is open; null
-  /// for none.
-  void draw(Pen& pen, const Layout& at, ControlList& places, const Lesson* open, const KeptAnswers& answers);
+  /// for none. `done` says which lesson has just ended.
+  void draw(Pen& pen, const Layout& at, ControlList& places, const Lesson* open, const KeptAnswers& answers,
+            std::string_view done);
 
  private:
   void openRow(int row);
@@ -143,6 +144,7 @@ class LessonView : public WindowView {
 
   LessonList lessons_;
   bool listing_ = true;  ///< the list is shown
+  std::string done_;     ///< the lesson that has just ended, in words for the list
   std::optional<Lesson> lesson_;
   int step_ = 0;
   std::vector<Taken> taken_;  ///< one for each step

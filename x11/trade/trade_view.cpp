@@ -49,15 +49,15 @@ Setup measuredPart(Setup setup) {
 }  // namespace
 
 void TradeView::measure(const Picture& picture, const Setup& setup) {
-  measuring_.reset();
-  known_ = {};
+  giveUp();
+  known_.doing = "The exact picture comes first, then each short cut alone.";
   chosen_ = -1, picked_.reset(), within_ = {};
   painted_.reset();
   again_ = false;
   measuredSize_ = {0, 0, picture.settings().width, picture.settings().height};
   measuredOf_ = measuredPart(setup);
   measuredScene_ = picture.scene().name;
-  measuring_ = std::make_unique<Measuring>(picture.scene(), picture.settings(), request_);
+  measuring_ = std::make_unique<Measuring>(picture.scene(), picture.settings(), request_, std::move(ending_));
   since_ = {}, told_ = 0;
 }
 
@@ -79,9 +79,13 @@ void TradeView::tick() {
 void TradeView::leave() {
   WindowView::leave();
   if (!measuring_) return;
-  measuring_.reset();
-  known_ = {};
+  giveUp();
   measuredOf_.reset();  // measured anew when the view appears again
+}
+
+void TradeView::giveUp() {
+  if (measuring_) measuring_->stop(), ending_ = std::move(measuring_);
+  known_ = {};
 }
 
 void TradeView::choose() {
@@ -354,8 +358,11 @@ constexpr double kAtOnce = 10;        // seconds
 
 }  // namespace
 
-Measuring::Measuring(Scene scene, const PictureSettings& settings, TradeRequest request) {
+Measuring::Measuring(Scene scene, const PictureSettings& settings, TradeRequest request,
+                     std::unique_ptr<Measuring> before)
+    : before_{std::move(before)} {
   const auto measure = [this, scene = Shared<Scene>{std::move(scene)}, settings](TradeRequest asked) {
+    before_.reset();
     try {
       asked.axes = choosableAxes(PictureCache{scene}.make(settings));
       publish({measured(scene, settings, asked), "", true, ""});

@@ -71,12 +71,15 @@ void drawTradePage(Painter paint, const TradeLayout& at, const TradePage& page, 
 /// A trade that is measured on a thread of its own, while the window goes on.
 class Measuring {
  public:
-  /// Starts at once, on the axes of choosableAxes().
-  Measuring(Scene scene, const PictureSettings& settings, TradeRequest request);
+  /// Starts at once, on the axes of choosableAxes(); on its thread it waits first for the end of `before`.
+  Measuring(Scene scene, const PictureSettings& settings, TradeRequest request,
+            std::unique_ptr<Measuring> before);
   Measuring(const Measuring&) = delete;
   Measuring& operator=(const Measuring&) = delete;
   /// Stops it and waits for the end of what it is doing, at most one picture.
   ~Measuring();
+  /// Stops it and does not wait.
+  void stop() { stop_ = true; }
 
   struct News {
     Trade trade;
@@ -92,6 +95,7 @@ class Measuring {
                                const TradeRequest& request);
   void publish(News news);
 
+  std::unique_ptr<Measuring> before_;
   std::atomic<bool> stop_ = false;
   std::mutex mutex_;
   std::optional<News> news_;
@@ -132,6 +136,7 @@ class TradeView : public WindowView {
 
  private:
   void measure(const Picture& picture, const Setup& setup);
+  void giveUp();
   /// Chooses within the limit again, unless the user has picked a combination and it is still there.
   void choose();
   /// The user picks a combination himself.
@@ -150,6 +155,7 @@ class TradeView : public WindowView {
 
   TradeRequest request_;
   std::unique_ptr<Measuring> measuring_;
+  std::unique_ptr<Measuring> ending_;  ///< was stopped, and may still be making its last picture
   Measuring::News known_;
   Stopwatch since_;      ///< the measuring began
   int told_ = 0;         ///< the seconds that the status line tells

@@ -249,6 +249,8 @@ TEST(LessonView, TheListOpensLessons) {
   window.bench.start(readLesson(entries[0].file));
   window.bench.goTo(static_cast<int>(window.bench.lesson()->steps.size()) - 1);
   window.press(NamedKey::PageDown);
+  EXPECT_TRUE(window.bench.showsList());  // says that the lesson is done, and offers the next
+  window.press(NamedKey::Return);
   EXPECT_EQ(window.bench.lesson()->name, entries[1].name);
   EXPECT_EQ(window.bench.step(), 0);
 }
