@@ -20,7 +20,9 @@ namespace xnewell {
 /// triangle is halved across its longest edge. Every other triangle with that edge is cut there too, even if
 /// it has other normals or belongs to another surface; it is first cut across its own longest edge. So no
 /// crack opens, and no angle becomes less than half the smallest angle of the first triangle.
-/// @see Rivara 1984; Rosenberg & Stenger 1975
+/// @see M. C. Rivara, "Mesh Refinement Processes Based on the Generalized Bisection of Simplices", SIAM J.
+/// Numer. Anal. 21 (3), 1984; I. G. Rosenberg, F. Stenger, "A Lower Bound on the Angles of Triangles
+/// Constructed by Bisecting the Longest Side", Math. Comp. 29 (130), 1975
 ///
 /// Two edges are the same if their ends have the same coordinates, whatever their indices in the file. All of
 /// this is in world coordinates. Of the camera only the eye matters, because of the specular term.
