@@ -85,6 +85,13 @@ ShadingPoints vertexPoints(const Mesh& mesh, const Vertices& vertices) {
   return points;
 }
 
+ShadingPoints ShadingPoints::slice(std::size_t first, std::size_t end) const {
+  const auto part = [&](const auto& all) {
+    return all.empty() ? all : std::decay_t<decltype(all)>(all.begin() + first, all.begin() + end);
+  };
+  return {part(at), part(N), part(material)};
+}
+
 XNEWELL_DISPATCHED
 void diffuseIntensities(Terms& diffuse, const ShadingPoints& points, const Lighting& lighting, int channel) {
   diffuse.assign(points.count(), {0.0, 0.0});

@@ -19,6 +19,8 @@ struct ShadingPoints {
   std::vector<glm::dvec3> at, N;
   std::vector<int> material;  ///< as in Mesh::material
   [[nodiscard]] std::size_t count() const { return material.size(); }
+  /// Those from `first` on, before `end`.
+  [[nodiscard]] ShadingPoints slice(std::size_t first, std::size_t end) const;
 };
 /// One point for each face: the centroid of its area, and its normal by Newell's method.
 [[nodiscard]] ShadingPoints facePoints(const Mesh& mesh);

@@ -13,6 +13,9 @@ namespace xnewell {
 
 namespace {
 
+constexpr std::size_t kLarge = 1 << 17;     // points; beyond it memory counts more than a moved eye
+constexpr std::size_t kInCaches = 1 << 12;  // points whose terms stay in the caches of a processor
+
 /// One point for each material, the first for none: where all light is ambient, it stands for all places.
 ShadingPoints materialPoints(const Mesh& mesh) {
   ShadingPoints points;
@@ -98,9 +101,10 @@ SceneShading SceneShading::next(const Scene& scene, const PictureSettings& setti
     next.refined_.drop();
 
   // The intensities there.
+  const bool keepsTerms = !scene.textures.empty() || next.points().count() <= kLarge;
   if (keepsIntensities)
     for (int c = 0; c < lighting.channels; ++c)
-      next.light(c, {{own, next.refined_.shared(), light}, highlightEye});
+      next.light(c, {{own, next.refined_.shared(), light}, highlightEye}, keepsTerms);
   else
     next.lit_ = {};
   if (keepsIntensities && lighting.luminance)
@@ -143,8 +147,31 @@ Refined SceneShading::refine(const Scene& scene, const PictureSettings& settings
              : refineSmooth(scene.mesh, scene.parts, own_->vertices, lighting(), asked);
 }
 
-void SceneShading::light(int channel, const OfSpecular& by) {
+void SceneShading::light(int channel, const OfSpecular& by, bool keepsTerms) {
   Lit& lit = lit_[channel];
+  const auto addUp = [&](const Terms& diffuse, const Terms& specular, const ShadingPoints& at) {
+    Intensities intensities;
+    addTerms(intensities, diffuse, specular, at, lighting(), channel);
+    return intensities;
+  };
+  if (!keepsTerms) {
+    lit.diffuse.drop(), lit.specular.drop();
+    lit.intensities.update(by, [&] {
+      Intensities all;
+      Terms diffuse, specular;
+      all.I.reserve(points().count());
+      for (std::size_t first = 0; first < points().count(); first += kInCaches) {
+        const ShadingPoints some = points().slice(first, std::min(points().count(), first + kInCaches));
+        diffuseIntensities(diffuse, some, lighting(), channel);
+        specularIntensities(specular, some, lighting(), channel);
+        const Intensities part = addUp(diffuse, specular, some);
+        all.I.insert(all.I.end(), part.I.begin(), part.I.end());
+        all.clamped += part.clamped;
+      }
+      return all;
+    });
+    return;
+  }
   lit.diffuse.update(by.diffuse, [&] {
     Terms diffuse;
     diffuseIntensities(diffuse, points(), lighting(), channel);
@@ -156,11 +183,7 @@ void SceneShading::light(int channel, const OfSpecular& by) {
     return specular;
   });
   // The ambient term is as old as the diffuse one.
-  lit.intensities.update({lit.diffuse.shared(), lit.specular.shared()}, [&] {
-    Intensities intensities;
-    addTerms(intensities, *lit.diffuse, *lit.specular, points(), lighting(), channel);
-    return intensities;
-  });
+  lit.intensities.update(by, [&] { return addUp(*lit.diffuse, *lit.specular, points()); });
 }
 
 Intensities SceneShading::luminanceOfAll() const {

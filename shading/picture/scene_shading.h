@@ -65,7 +65,8 @@ class SceneShading {
   [[nodiscard]] const Intensities& intensities(int channel) const {
     return lighting().luminance ? *luminance_ : *lit_[channel].intensities;
   }
-  /// The terms of intensities().
+  /// The terms of intensities(). They are kept where something asks for them: a texture at each pixel, or the
+  /// next picture of a scene that is not large.
   [[nodiscard]] const Terms& diffuse(int channel) const { return *lit_[channel].diffuse; }
   [[nodiscard]] const Terms& specular(int channel) const { return *lit_[channel].specular; }
   /// The environments of a channel by material, or those of the luminance for channel 0; the first is for
@@ -125,10 +126,6 @@ class SceneShading {
     HighlightEye eye;
     bool operator==(const OfSpecular&) const = default;
   };
-  struct OfIntensities {
-    Shared<Terms> diffuse, specular;
-    bool operator==(const OfIntensities&) const = default;
-  };
   struct OfMaps {
     Shared<Own> own;
     Light light;
@@ -141,7 +138,7 @@ class SceneShading {
   struct Lit {
     Cached<OfDiffuse, Terms> diffuse;
     Cached<OfSpecular, Terms> specular;
-    Cached<OfIntensities, Intensities> intensities;
+    Cached<OfSpecular, Intensities> intensities;
   };
   struct Maps {
     std::array<std::vector<Environment>, 3> environments;
@@ -151,7 +148,7 @@ class SceneShading {
   [[nodiscard]] static Own ownPlaces(const Scene& scene, const PictureSettings& settings,
                                      const OfPoints& points);
   [[nodiscard]] Refined refine(const Scene& scene, const PictureSettings& settings) const;
-  void light(int channel, const OfSpecular& by);
+  void light(int channel, const OfSpecular& by, bool keepsTerms);
   [[nodiscard]] Intensities luminanceOfAll() const;
   [[nodiscard]] Maps makeMaps(const Scene& scene, const PictureSettings& settings,
                               const Camera& camera) const;

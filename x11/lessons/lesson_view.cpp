@@ -433,8 +433,8 @@ KeyTable LessonList::keys() {
 void LessonList::draw(Pen& pen, const Layout& at, ControlList& places, const Lesson* open,
                       const KeptAnswers& answers, std::string_view done) {
   const Rect& body = at.body;
-  const int end = pen.paint.text(body.x, body.y + 21, "Lessons", pen(Cell::Ink), Voice::Title);
-  pen.ink(end + 24, body.y + 21, done);
+  const int titleEnd = pen.paint.text(body.x, body.y + 21, "Lessons", pen(Cell::Ink), Voice::Title);
+  pen.ink(titleEnd + 24, body.y + 21, done);
   pen.softRight(body.x + body.width, body.y + 21, "arrows, then Return; or the pointer");
   pen.rule(body.x, body.y + (at.compact ? 34 : 42), body.width);
   int top = body.y + (at.compact ? 44 : 60);
