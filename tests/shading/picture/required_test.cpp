@@ -93,6 +93,28 @@ TEST(Required, NoEyeWhereNIsZero) {
             "n is 0: a highlight is the same from everywhere");
 }
 
+// A large scene keeps no terms that nothing asks for. Its light is computed part by part, and is the same.
+TEST(Required, ALargeSceneIsLitInParts) {
+  const std::string torus = R"({"lights": [)" + std::string{kSun} +
+                            R"(], "objects": [{"solid": "torus", "around": 500, "across": 300}]})";
+  PictureSettings s;
+  s.width = 8, s.height = 6, s.shading = Shading::Flat, s.light.ks = 0.9;
+  const Picture picture = makePicture(parseSceneFile(torus, "scene", XNEWELL_DATA_DIR), s);
+  const SceneShading& shading = picture.shading();
+  EXPECT_TRUE(shading.diffuse(0).empty() && shading.specular(0).empty());
+  Terms diffuse, specular;
+  Intensities whole;
+  diffuseIntensities(diffuse, shading.points(), shading.lighting(), 0);
+  specularIntensities(specular, shading.points(), shading.lighting(), 0);
+  addTerms(whole, diffuse, specular, shading.points(), shading.lighting(), 0);
+  const Intensities& parts = shading.intensities(0);
+  ASSERT_EQ(parts.I.size(), 150'000u);
+  EXPECT_EQ(parts.clamped, whole.clamped);
+  EXPECT_GT(whole.clamped, 0);
+  for (std::size_t k = 0; k < whole.I.size(); ++k)
+    ASSERT_TRUE(parts.I[k].front == whole.I[k].front && parts.I[k].back == whole.I[k].back) << k;
+}
+
 // Where a spot shines away, the reason is the spot, not the surface.
 TEST(Required, SaysThatNoLightReachesAShinySurface) {
   const auto required = requiredOf(
