@@ -57,7 +57,7 @@ class FrameView : public WindowView {
 
 // The view that the manual shows draws its frame as its controls and its key say.
 TEST(FrameViewOfTheManual, DrawsItsFrame) {
-  StagedView stage{"cube", 1, 800, 600};
+  StagedView stage{"cubes", 1, 800, 600};
   FrameView view{stage};
   stage.draw(view);
   const Rect at = stage.layout.picture;
