@@ -139,6 +139,35 @@ std::string inQuotes(std::string_view word) {
   return "'" + visible(begin) + (begin.size() < word.size() ? "...'" : "'");
 }
 
+namespace {
+
+/// How many letters are wrong, left out, added, or exchanged with the next one (optimal string alignment).
+std::size_t lettersApart(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::string didYouMean(std::string_view word, const std::vector<std::string>& names, std::string otherwise) {
+  constexpr std::size_t kLongest = 40;  // no name is as long
+  std::size_t least = word.size() / 3 + 1;
+  for (const std::string& name : names)
+    if (const std::size_t apart = word.size() > kLongest ? least : lettersApart(word, name); apart < least)
+      least = apart, otherwise = "did you mean " + name + "?";
+  return otherwise;
+}
+
 std::filesystem::path namedFile(const std::filesystem::path& folder, std::string name) {
   const auto there = [](const std::filesystem::path& file) {
     std::error_code missing;

@@ -59,6 +59,11 @@ class Words {
 /// binary file does no harm to a terminal.
 [[nodiscard]] std::string inQuotes(std::string_view word);
 
+/// `did you mean teapot?`: the name that is nearest to the word, if one of three letters of the word may be
+/// wrong, left out, added, or has changed its place with the next one. Without such a name, `otherwise`.
+[[nodiscard]] std::string didYouMean(std::string_view word, const std::vector<std::string>& names,
+                                     std::string otherwise);
+
 /// The file that a name in a text file of `folder` means. Some writers part folders by backslashes, and some
 /// name places of their own machine. So the name is tried as it is, then with slashes, then its last part in
 /// `folder`. If there is none of these, the result is the second of them.

@@ -17,6 +17,7 @@
 #include "geometry/files/data_folder.h"
 #include "geometry/files/model_file.h"
 #include "geometry/files/parse_error.h"
+#include "geometry/files/text_file.h"
 #include "geometry/files/visible.h"
 #include "geometry/model/bezier.h"
 #include "geometry/model/coplanar.h"
@@ -136,6 +137,12 @@ std::vector<BuiltInScene> builtInScenes() {
   return scenes;
 }
 
+std::vector<std::string> namesOf(const std::vector<BuiltInScene>& scenes) {
+  std::vector<std::string> names;
+  for (const BuiltInScene& scene : scenes) names.push_back(scene.name);
+  return names;
+}
+
 bool isBuiltIn(const std::string& name) { return !fileOfBuiltIn(name).empty(); }
 
 namespace {
@@ -171,7 +178,8 @@ Scene readAny(const std::string& nameOrFile, int divisions) {
     throw std::system_error{EISDIR, std::generic_category(), nameOrFile};
   throw ParseError{nameOrFile, 0,
                    !std::filesystem::exists(file) && extension.empty()
-                       ? "there is no built-in scene of that name; `xnewell scenes` lists them"
+                       ? "there is no built-in scene of that name; " +
+                             didYouMean(nameOrFile, namesOf(builtInScenes()), "`xnewell scenes` lists them")
                        : "not a scene file: scenes are .json files and models: " + modelExtensions()};
 }
 

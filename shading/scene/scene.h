@@ -108,6 +108,7 @@ struct BuiltInScene {
 };
 /// The teapot, then every scene file of the data folder, sorted by name.
 [[nodiscard]] std::vector<BuiltInScene> builtInScenes();
+[[nodiscard]] std::vector<std::string> namesOf(const std::vector<BuiltInScene>& scenes);
 [[nodiscard]] bool isBuiltIn(const std::string& name);
 
 inline constexpr int kDefaultDivisions = 8;

@@ -139,11 +139,9 @@ void Workbench::askToSave() {
 }
 
 void Workbench::askToOpen() {
-  std::vector<std::string> names;
-  for (const BuiltInScene& scene : builtInScenes()) names.push_back(scene.name);
   ask({.asks = "open a scene: a file, or a built-in name",
        .text = work_.file,
-       .offers = std::move(names),
+       .offers = namesOf(builtInScenes()),
        .take = [this, warned = std::string{}](const std::string& name) mutable -> std::string {
          if (name.empty()) return "Type a name, or press Esc to cancel.";
          try {

@@ -127,7 +127,10 @@ Lesson lessonNamed(const std::string& nameOrFile) {
     if (entry.name == nameOrFile) return readLesson(entry.file);
   const std::filesystem::path file{nameOrFile};
   if (file.extension() == ".json" && std::filesystem::exists(file)) return readLesson(file);
-  throw UsageError{"there is no lesson " + inQuotes(nameOrFile) + "; `xnewell scenes` lists the lessons"};
+  std::vector<std::string> names;
+  for (const LessonEntry& entry : builtInLessons()) names.push_back(entry.name);
+  throw UsageError{"there is no lesson " + inQuotes(nameOrFile) + "; " +
+                   didYouMean(nameOrFile, names, "`xnewell scenes` lists the lessons")};
 }
 
 namespace {

@@ -64,6 +64,16 @@ Command takeCommand(std::vector<std::string>& arguments) {
   return row->id;
 }
 
+}  // namespace
+
+std::vector<std::string> commandsAndScenes() {
+  std::vector<std::string> names = namesOf(builtInScenes());
+  for (const CommandRow& row : kCommands) names.emplace_back(row.name);
+  return names;
+}
+
+namespace {
+
 /// Says in our words what CLI11 found wrong. Only the `last` argument can lack a value: another one takes
 /// what follows it.
 [[noreturn]] void complain(const CLI::App& app, Command command, int code, const std::string& last) {
@@ -75,9 +85,13 @@ Command takeCommand(std::vector<std::string>& arguments) {
     const CLI::Option* const words = app.get_option("scene");
     const std::string scene = words->count() > 0 ? words->results().front() : Options{}.scene;
     if (!option && meansScene && !isBuiltIn(scene) && !std::filesystem::exists(scene))
-      throw UsageError{inQuotes(scene) +
-                       ": not a command, a built-in scene or a file; `xnewell --help` lists the commands"};
-    throw UsageError{(option ? "unknown option " : "unexpected argument: ") + inQuotes(extra.front())};
+      throw UsageError{inQuotes(scene) + ": not a command, a built-in scene or a file; " +
+                       didYouMean(scene, commandsAndScenes(), "`xnewell --help` lists the commands")};
+    if (!option) throw UsageError{"unexpected argument: " + inQuotes(extra.front())};
+    std::vector<std::string> names;
+    for (const OptionRow& row : optionRows()) names.push_back(row.name);
+    const std::string meant = didYouMean(extra.front().substr(0, extra.front().find('=')), names, "");
+    throw UsageError{"unknown option " + inQuotes(extra.front()) + (meant.empty() ? "" : "; " + meant)};
   }
   for (const CLI::Option* option : app.get_options())
     if (option->count() > 1 && option->get_items_expected_max() > 0)

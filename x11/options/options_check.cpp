@@ -166,9 +166,9 @@ void checkWords(const Options& o) {
   if (!given && o.gave("--run")) throw UsageError{"--run needs the scene of that run, such as cycle"};
   const std::filesystem::path path{o.scene};
   if (o.commandMeant && !isBuiltIn(o.scene) && path.extension().empty() && !std::filesystem::exists(path))
-    throw UsageError{o.scene +
-                     ": not a command or a built-in scene; `xnewell --help` lists the commands, "
-                     "`xnewell scenes` the scenes"};
+    throw UsageError{o.scene + ": not a command or a built-in scene; " +
+                     didYouMean(o.scene, commandsAndScenes(),
+                                "`xnewell --help` lists the commands, `xnewell scenes` the scenes")};
   if (given && !row.draws && !row.is(kPages)) throw UsageError{name + " takes no scene"};
 }
 

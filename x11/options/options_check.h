@@ -7,6 +7,9 @@
 
 namespace xnewell {
 
+/// All that the first word may be but a file.
+[[nodiscard]] std::vector<std::string> commandsAndScenes();
+
 /// Check what no option can check alone: which options need others, and which exclude each other.
 /// @throws UsageError
 
