@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -41,12 +42,16 @@ void drawFigure(const Options& options, const Scene& scene);
 /// --run: says which step is false first in the run of another depth sort, and why. @throws as
 /// tellJudgement()
 [[nodiscard]] int tellRun(const Options& options, Scene scene);
-/// `grade`: marks all files in the folder options.handedIn, writes a row each, and prints a summary.
+/// `grade`: marks all files in the folder options.handedIn, writes them in a format of marks_formats.h, and a
+/// page a student with --feedback, and prints a summary. With --rubric each student has a row a stage.
 /// @throws UsageError, std::system_error
 [[nodiscard]] int gradeFolder(const Options& options, Scene scene);
 /// `questions`: prints questions about the scene with their solutions, and writes them for Moodle.
 /// @throws UsageError if the scene has not as many
 [[nodiscard]] int tellQuestions(const Options& options, const Scene& scene);
+
+/// Makes a folder that does not exist, with those above it. @throws std::system_error
+void makeFolder(const std::filesystem::path& folder);
 
 /// `trace --frames`: writes a numbered PNG for each step of the kind that --every names, and one of the whole
 /// picture at the end. Makes the folder if it does not exist.
@@ -64,7 +69,7 @@ void writeStepperFrames(const Options& options, Scene scene, const std::function
 /// gets the number of each step, from 1. @throws as writeFrames()
 void writeLesson(const Options& options, Lesson lesson, const std::function<void(int)>& tell);
 /// --worksheet: one HTML file to be printed, with the picture and the words of each step, its question with
-/// room to write, and all solutions on a page of their own at the end.
+/// room to write, and all solutions on a page of their own at the end, or in the file of --solutions.
 void writeWorksheet(const Options& options, Lesson lesson, const std::function<void(int)>& tell);
 
 }  // namespace xnewell

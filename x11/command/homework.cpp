@@ -1,24 +1,32 @@
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "geometry/files/input_file.h"
 #include "geometry/files/output_file.h"
+#include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
 #include "shading/diagnose/diagnose.h"
 #include "shading/diagnose/pair_scene.h"
 #include "shading/diagnose/scene_for.h"
 #include "shading/picture/picture_cache.h"
+#include "x11/app/ready_scene.h"
 #include "x11/command/commands.h"
 #include "x11/command/report.h"
+#include "x11/drawing/wording.h"
 #include "x11/homework/class_marks.h"
+#include "x11/homework/hand_ins.h"
 #include "x11/homework/judge_run.h"
+#include "x11/homework/marks_formats.h"
 #include "x11/homework/questions.h"
 #include "x11/homework/reports.h"
+#include "x11/homework/rubric.h"
 #include "x11/lessons/lesson.h"
 #include "x11/options/exit_status.h"
 #include "x11/terminal/terminal.h"
@@ -163,33 +171,150 @@ int tellRun(const Options& options, Scene scene) {
   return report.wrong.empty() ? kDone : kOutside;
 }
 
+namespace {
+
+/// What is right for a stage: the command line, with the options of the rubric in place of its own, or the
+/// rubric's scene and options alone.
+Options optionsOf(const Stage& stage, const Options& options) {
+  std::vector<std::string> words{"xnewell", "grade"};
+  const bool isScene = !stage.words.front().starts_with('-');
+  words.push_back(isScene ? stage.words.front() : options.scene);
+  words.push_back(options.handedIn);
+  words.insert(words.end(), stage.words.begin() + (isScene ? 1 : 0), stage.words.end());
+  for (std::size_t k = 0; k < options.given.size() && !isScene; ++k)
+    if (const std::string& name = options.given[k];
+        name.starts_with("--") && std::ranges::none_of(stage.words, [&](const std::string& word) {
+          return word == name || word.starts_with(name + '=');
+        }))
+      words.push_back(name + '=' + options.values[k]);
+  if (isScene) words.push_back("--output=" + options.output);
+  std::vector<const char*> arguments;
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  for (const char* const none : {"-h", "--help", "--version"})
+    if (std::ranges::find(words, none) != words.end())
+      throw UsageError{std::string{none} + ": a stage has options of a picture"};
+  return *parseOptions(static_cast<int>(arguments.size()), arguments.data());
+}
+
+/// The markers of a class, one for each thing that is right.
+class Markers {
+ public:
+  Markers(const Options& options, Scene scene, bool pictures) : options_{options}, pictures_{pictures} {
+    add({}, options, std::move(scene));
+  }
+  void add(const Stage& stage) try {
+    if (stage.words.empty() || markers_.contains(stage.words)) return;
+    Options own = optionsOf(stage, options_);
+    Scene scene = readyScene(own);
+    refuseWhatIsNotDiagnosed(scene, own.picture);
+    add(stage.words, own, std::move(scene));
+  } catch (const UsageError& e) {
+    throw ParseError{options_.rubric, stage.line, e.what()};
+  } catch (const std::system_error& e) {
+    throw ParseError{options_.rubric, stage.line, e.what()};
+  }
+  [[nodiscard]] Marker& of(const Stage& stage) { return markers_.at(stage.words); }
+
+ private:
+  void add(const std::vector<std::string>& words, const Options& own, Scene scene) {
+    const PictureSettings settings = settingsOf(own);
+    markers_.try_emplace(words, std::move(scene), settings, own.size, pictures_, rightAnswerOf);
+  }
+
+  const Options& options_;
+  bool pictures_;
+  std::map<std::vector<std::string>, Marker> markers_;
+};
+
+/// A page for each student, below the folder of --feedback.
+std::vector<std::pair<std::string, std::string>> feedbackOf(const Options& options, const ClassMarks& marks) {
+  std::vector<std::pair<std::string, std::string>> pages;
+  for (const std::span<const MarkedFile> rows : byStudent(marks)) {
+    const std::string name =
+        !rows[0].place.empty() || !marks.stages.empty() ? rows[0].place : rows[0].file + '-';
+    const ClassMarks own{marks.title, marks.stages, {rows.begin(), rows.end()}};
+    pages.emplace_back((std::filesystem::path{options.feedback} / (name + "feedback.html")).string(),
+                       rowOf(MarksFormat::Html).text(own));
+  }
+  return pages;
+}
+
+}  // namespace
+
 int gradeFolder(const Options& options, Scene scene) {
   refuseWhatIsNotDiagnosed(scene, options.picture);
-  const std::vector<std::string> names = handedInFiles(options.handedIn);
-  if (names.empty())
+  const MarksFormatRow& format = rowOf(options.format);
+  for (const char* const variable : format.variables)
+    if (const char* const value = std::getenv(variable); value == nullptr || *value == '\0')
+      throw UsageError{"--format " + std::string{format.name} + " needs the environment variable " +
+                       variable + ", which the runner of that system sets"};
+  std::vector<Stage> rubric{{}};  // without a rubric, one stage that every file is of
+  if (!options.rubric.empty()) rubric = readRubric(options.rubric);
+  HandIns handed = handInsOf(options.handedIn);
+  for (HandIn& one : handed.files) {
+    if (!one.name.empty() && std::ranges::none_of(rubric, [&](const Stage& s) { return isOf(s, one.name); }))
+      one.name.clear(), ++handed.passed["unasked file"];
+    if (format.ofOne) one.student.clear(), one.place.clear();
+    if (!one.name.empty()) rememberInput((std::filesystem::path{options.handedIn} / one.path).string());
+  }
+  if (format.ofOne) std::erase_if(handed.files, [](const HandIn& one) { return one.name.empty(); });
+  if (handed.files.empty() && options.rubric.empty())
     throw UsageError{"grade: no picture, order (.jsonl) or answers (.json) is in " + options.handedIn};
-  for (const std::string& name : names)
-    rememberInput((std::filesystem::path{options.handedIn} / name).string());
+  if (handed.files.empty()) handed.files.push_back({});
   checkOutputs(outputsOf(options));
+  if (!options.feedback.empty()) makeFolder(options.feedback);
   awaitInterrupt();
-  const std::string title = "Marks: " + titleOf(scene);
-  PictureSettings settings = settingsOf(options);
-  Marker marker{std::move(scene), settings, options.size, !options.page.empty(), rightAnswerOf};
-  std::vector<MarkedFile> rows;
+  ClassMarks marks{"Marks: " + titleOf(scene), {}, {}};
+  Markers markers{options, std::move(scene),
+                  format.pictures || !options.page.empty() || !options.feedback.empty()};
+  for (const Stage& stage : rubric) {
+    markers.add(stage);
+    if (!stage.name.empty()) marks.stages.push_back(stage.name);
+  }
   std::optional<Doing> marking;
-  for (const std::string& name : names) {
-    marking.emplace("marking file " + std::to_string(rows.size() + 1) + " of " +
-                    std::to_string(names.size()));
-    rows.push_back(marker.mark(options.handedIn, name));
-    if (wasInterrupted()) return kInterrupted;
+  std::size_t done = 0;
+  for (std::size_t from = 0, to = 0; from < handed.files.size(); from = to) {
+    const HandIn& first = handed.files[from];
+    to = from + 1;
+    while (to < handed.files.size() && handed.files[to].student == first.student) ++to;
+    for (const Stage& stage : rubric) {
+      MarkedFile row{.file = stage.name.empty() ? first.path : "",
+                     .verdict = "missing",
+                     .words = "nothing is handed in"};
+      const auto add = [&](const HandIn& one) {
+        row.student = one.student, row.stage = stage.name, row.place = one.place;
+        row.most = stage.points, row.points = pointsFor(row, row.most);
+        marks.rows.push_back(std::move(row));
+      };
+      bool isFirst = true;
+      for (const HandIn& one : std::span{handed.files}.subspan(from, to - from)) {
+        if (one.name.empty() || !isOf(stage, one.name)) continue;
+        marking.emplace("marking file " + std::to_string(++done) + " of " +
+                        std::to_string(handed.files.size()));
+        MarkedFile marked = markers.of(stage).mark(options.handedIn, one.path);
+        if (wasInterrupted()) return kInterrupted;
+        // Of several files for a stage, the best counts.
+        if (isFirst || stage.name.empty() || pointsFor(marked, 1) > pointsFor(row, 1))
+          row = std::move(marked);
+        if (stage.name.empty()) add(one);
+        isFirst = false;
+      }
+      if (isFirst || !stage.name.empty()) add(first);
+    }
   }
   marking.reset();
-  const std::string csv = marksAsCsv(rows), page = options.page.empty() ? "" : marksAsHtml(title, rows);
+  std::vector<std::pair<std::string, std::string>> written{{options.output, format.text(marks)}};
+  if (!options.page.empty()) written.emplace_back(options.page, rowOf(MarksFormat::Html).text(marks));
+  if (!options.feedback.empty())
+    for (auto& page : feedbackOf(options, marks)) {
+      makeFolder(std::filesystem::path{page.first}.parent_path());
+      written.push_back(std::move(page));
+    }
   std::vector<OutputFile> files;
-  if (!options.output.empty()) files.push_back({options.output, csv});
-  if (!options.page.empty()) files.push_back({options.page, page});
+  for (const auto& [name, text] : written) files.push_back({name, text});
   writeFiles(files);
-  std::cout << summaryOf(rows);
+  std::cout << summaryOf(marks);
+  if (const std::string passed = sentenceOf(handed.passed); !passed.empty()) std::cout << passed << '\n';
   return kDone;
 }
 
@@ -201,8 +326,13 @@ int tellQuestions(const Options& options, const Scene& scene) {
   making.reset();
   if (static_cast<int>(questions.size()) < options.questions)
     throw UsageError{"--count: this scene has " + std::to_string(questions.size()) + " different questions"};
-  if (!options.gift.empty()) writeFile(options.gift, questionsAsGift(questions));
-  std::cout << questionsAsText(questions);
+  const QuestionTexts texts = questionsAsText(questions);
+  const std::string gift = options.gift.empty() ? "" : questionsAsGift(questions);
+  std::vector<OutputFile> files;
+  if (!options.gift.empty()) files.push_back({options.gift, gift});
+  if (!options.solutions.empty()) files.push_back({options.solutions, texts.solved});
+  writeFiles(files);
+  std::cout << texts.asked << (options.solutions.empty() ? "Solutions\n\n" + texts.solved : "");
   return kDone;
 }
 

@@ -20,6 +20,12 @@
 
 namespace xnewell {
 
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw std::system_error{error, folder.string()};
+}
+
 namespace {
 
 /// ---- The folder of --frames: numbered PNG files in a folder of their own
@@ -40,9 +46,8 @@ bool isFrame(const std::string& name) {
 /// Makes the folder if it does not exist. @throws UsageError if it holds frames already; std::system_error
 void makeFrameFolder(const std::string& folder) {
   namespace fs = std::filesystem;
+  makeFolder(folder);
   std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw std::system_error{error, folder};
   fs::directory_iterator files{folder, error};
   if (error) throw std::system_error{error, folder};
   for (const fs::directory_entry& file : files)
@@ -187,8 +192,9 @@ void writeLesson(const Options& options, Lesson lesson, const std::function<void
 }
 
 void writeWorksheet(const Options& options, Lesson lesson, const std::function<void(int)>& tell) {
-  std::string sheet = "<!DOCTYPE html>\n<html lang=\"en\">\n" + element("title", lesson.title) +
-                      std::string{kHead} + element("h1", lesson.title) + "<p>Name:</p>\n";
+  const std::string head = "<!DOCTYPE html>\n<html lang=\"en\">\n" + element("title", lesson.title) +
+                           std::string{kHead} + element("h1", lesson.title);
+  std::string sheet = head + "<p>Name:</p>\n";
   std::string solutions = "<section>\n" + element("h2", "Solutions") + "<ol>\n";
   const std::vector<LessonStep> steps = lesson.steps;
   const std::string source = lesson.source;
@@ -216,7 +222,12 @@ void writeWorksheet(const Options& options, Lesson lesson, const std::function<v
     sheet += "</section>\n";
     solutions += element("li", solution);
   });
-  writeFile(options.worksheet, sheet + solutions + "</ol>\n</section>\n</html>\n");
+  solutions += "</ol>\n</section>\n";
+  const bool apart = !options.solutions.empty();
+  sheet += (apart ? "" : solutions) + "</html>\n", solutions = head + solutions + "</html>\n";
+  std::vector<OutputFile> files{{options.worksheet, sheet}};
+  if (apart) files.push_back({options.solutions, solutions});
+  writeFiles(files);
 }
 
 }  // namespace xnewell

@@ -1,22 +1,20 @@
 #include "x11/homework/class_marks.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <new>
 #include <set>
 #include <sstream>
 #include <stdexcept>
-#include <system_error>
 
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
-#include "geometry/files/visible.h"
 #include "shading/color/png.h"
 #include "shading/picture/picture_cache.h"
 #include "x11/drawing/wording.h"
 #include "x11/homework/answer_file.h"
-#include "x11/homework/html.h"
 #include "x11/homework/judge_run.h"
 #include "x11/homework/reports.h"
 
@@ -36,17 +34,17 @@ std::string smallPng(const RgbImage& image) {
   return encodePng(small);
 }
 
-std::string csvField(const std::string& text) {
-  std::string field = text;
-  if (!field.empty() && std::string_view{"=+-@"}.find(field[0]) != std::string_view::npos)
-    field.insert(0, 1, '\'');
-  if (field.find_first_of(",\"\n\r") == std::string::npos) return field;
-  std::string quoted = "\"";
-  for (const char c : field) quoted += c == '"' ? std::string{"\"\""} : std::string{c};
-  return quoted + '"';
+/// What is the same is black; the difference of a channel counts four times. `faces` are those of the right
+/// picture, from 1. Any ground is right if it is one colour.
+RgbImage differenceOf(const RgbImage& yours, const RgbImage& right, const std::vector<std::uint32_t>& faces) {
+  RgbImage apart{right.width, right.height};
+  const auto ground = static_cast<std::size_t>(std::ranges::find(faces, 0U) - faces.begin());
+  for (std::size_t k = 0; k < apart.rgb.size(); ++k) {
+    const int wanted = faces[k / 3] == 0 ? yours.rgb[3 * ground + k % 3] : right.rgb[k];
+    apart.rgb[k] = static_cast<std::uint8_t>(std::min(255, 4 * std::abs(yours.rgb[k] - wanted)));
+  }
+  return apart;
 }
-
-std::string share(const std::optional<double>& v) { return v ? fixed(*v, 3) : ""; }
 
 }  // namespace
 
@@ -83,7 +81,19 @@ void Marker::markPicture(MarkedFile& row, const std::string& path) {
   }
   if (!d.found.empty()) row.explained = d.found[0].explained, row.informative = d.found[0].informative;
   if (d.pixel) row.pixel = {d.pixel->i, d.pixel->j}, row.face = d.pixel->face;
-  if (pictures_) row.picture = smallPng(handed.picture);
+  if (pictures_) showPictures(row, handed.picture, *diagnoser);
+}
+
+void Marker::showPictures(MarkedFile& row, const RgbImage& yours, Diagnoser& diagnoser) {
+  const PictureSettings& settings = diagnoser.picture().settings();
+  const std::pair size{settings.width, settings.height};
+  if (right_.size() >= kMostSizes && !right_.contains(size)) right_.clear();
+  RgbImage& right = right_[size];
+  if (right.width == 0) right = diagnoser.pictureBy(diagnoser.approachWith(hypotheses().front()));
+  row.pictures = {{"yours", smallPng(yours)}, {"right", smallPng(right)}};
+  if (yours.width == right.width && yours.height == right.height)
+    row.pictures.push_back(
+        {"difference x 4", smallPng(differenceOf(yours, right, diagnoser.picture().faceImage()))});
 }
 
 const Picture& Marker::planesAt(glm::ivec2 size) {
@@ -161,51 +171,26 @@ MarkedFile Marker::mark(const std::string& folder, const std::string& name) {
   return row;
 }
 
-/// True if a file is handed in by its name: a picture of any kind, also of those that cannot be read, an
-/// order, or answers; also a folder or a link to nothing of such a name. A text that explains the folder is
-/// not.
-bool isHandedIn(std::string name) {
-  for (char& c : name)
-    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  for (const char* end : {".jsonl", ".json", ".png", ".ppm", ".pgm", ".pnm", ".xwd", ".jpg", ".jpeg", ".gif",
-                          ".bmp", ".tif", ".tiff", ".webp"})
-    if (name.ends_with(end)) return true;
-  return false;
+double pointsFor(const MarkedFile& row, double most) {
+  if (row.asked > 0) return most * row.right / row.asked;
+  return row.verdict == "right" || row.verdict == "allowed" ? most : 0;
 }
 
-std::vector<std::string> handedInFiles(const std::string& folder) {
-  std::vector<std::string> names;
-  std::error_code error;
-  std::filesystem::directory_iterator entries{folder, error};
-  if (error) throw std::system_error{error.value(), std::generic_category(), folder};
-  for (const auto& entry : entries) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with('.') && isHandedIn(name)) names.push_back(name);
+std::vector<std::span<const MarkedFile>> byStudent(const ClassMarks& marks) {
+  std::vector<std::span<const MarkedFile>> all;
+  for (std::size_t from = 0, to = 0; from < marks.rows.size(); from = to) {
+    const std::string& student = marks.rows[from].student;
+    to = from + 1;
+    while (to < marks.rows.size() && marks.rows[to].student == student &&
+           !(student.empty() && marks.stages.empty()))
+      ++to;
+    all.push_back(std::span{marks.rows}.subspan(from, to - from));
   }
-  std::ranges::sort(names);
-  return names;
+  return all;
 }
 
-std::string marksAsCsv(const std::vector<MarkedFile>& rows) {
-  std::string csv = "file,verdict,mistakes,term,explained,informative,pixel,face,answers,words\n";
-  for (const MarkedFile& row : rows) {
-    const std::string pixel =
-        row.pixel ? std::to_string(row.pixel->first) + ' ' + std::to_string(row.pixel->second) : "";
-    bool first = true;
-    for (const std::string& field :
-         {visible(row.file), row.verdict, row.mistakes, row.terms, share(row.explained),
-          share(row.informative), pixel, row.face ? std::to_string(*row.face) : "",
-          row.asked > 0 ? std::to_string(row.right) + " of " + std::to_string(row.asked) : "",
-          visible(row.words)}) {
-      csv += (first ? "" : ",") + csvField(field);
-      first = false;
-    }
-    csv += '\n';
-  }
-  return csv;
-}
-
-std::string summaryOf(const std::vector<MarkedFile>& rows) {
+std::string summaryOf(const ClassMarks& marks) {
+  const std::vector<MarkedFile>& rows = marks.rows;
   std::map<std::string, int> verdicts, mistakes;
   int right = 0, asked = 0;
   for (const MarkedFile& row : rows) {
@@ -226,41 +211,23 @@ std::string summaryOf(const std::vector<MarkedFile>& rows) {
       words += (words.empty() ? "" : ", ") + std::to_string(-count) + ' ' + name;
     return words;
   };
+  const auto missing = verdicts.find("missing");
   std::string summary =
-      counted(static_cast<std::int64_t>(rows.size()), "file") + ": " + listed(verdicts) + '\n';
+      counted(std::ssize(rows) - (missing == verdicts.end() ? 0 : missing->second), "file") + ": " +
+      listed(verdicts) + '\n';
+  if (!marks.stages.empty()) {
+    double points = 0, most = 0;
+    for (const MarkedFile& row : rows) points += row.points, most += row.most;
+    const std::size_t students = byStudent(marks).size();
+    summary += counted(static_cast<std::int64_t>(students), "student") + ": " +
+               significant(points / static_cast<double>(students), 4) + " of " +
+               significant(most / static_cast<double>(students), 4) + " points in the mean\n";
+  }
   if (!mistakes.empty()) summary += "mistakes: " + listed(mistakes) + '\n';
   if (asked > 0)
     summary +=
         "answers: " + std::to_string(right) + " of " + std::to_string(asked) + " right at the first try\n";
   return summary;
-}
-
-std::string marksAsHtml(const std::string& title, const std::vector<MarkedFile>& rows) {
-  std::string page = R"(<!DOCTYPE html>
-<html lang="en">
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
-<style>
-body { font: 11pt/1.4 sans-serif; margin: 2em }
-table { border-collapse: collapse }
-td, th { border-top: 1px solid #bbb; padding: 0.4em 0.8em; text-align: left; vertical-align: top }
-img { max-width: 240px; image-rendering: pixelated }
-</style>
-)";
-  page += element("title", title) + element("h1", title);
-  std::istringstream summary{summaryOf(rows)};
-  for (std::string line; std::getline(summary, line);) page += element("p", line);
-  page += "<table>\n<tr><th>file</th><th>picture</th><th>verdict</th><th>where</th></tr>\n";
-  for (const MarkedFile& row : rows) {
-    const std::string where = row.pixel ? "pixel " + std::to_string(row.pixel->first) + "," +
-                                              std::to_string(row.pixel->second) +
-                                              (row.face ? ", face " + std::to_string(*row.face) : "")
-                                        : "";
-    page += "<tr>" + element("td", visible(row.file)) + "<td>" +
-            (row.picture.empty() ? "" : imageElement(row.picture)) + "</td>" +
-            element("td", visible(row.words)) + element("td", where) + "</tr>\n";
-  }
-  return page + "</table>\n</html>\n";
 }
 
 }  // namespace xnewell

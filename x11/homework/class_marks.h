@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,9 +18,13 @@ namespace xnewell {
 /// each.
 
 struct MarkedFile {
-  std::string file;          ///< its name in the folder
+  std::string file;          ///< its path in the folder; "" for what is missing
+  std::string student = {};  ///< whose it is; "" if the folder does not say
+  std::string stage = {};    ///< of the rubric; "" without one
+  std::string place = {};    ///< HandIn::place
+  double points = 0, most = 1;
   std::string verdict = {};  ///< one word: right, allowed, mistake, one-of, numbers, unknown, other-scene,
-                             ///< wrong, answers, unreadable
+                             ///< wrong, answers, unreadable, missing
   std::string words = {};    ///< one line
   std::string mistakes = {}, terms = {};  ///< with blanks between them
   std::optional<double> explained = {}, informative = {};
@@ -27,7 +32,11 @@ struct MarkedFile {
   std::optional<int> face = {};
   /// Of a file of answers: how many questions are answered, and how many of them right at the first try.
   int asked = 0, right = 0;
-  std::string picture = {};  ///< the bytes of a small PNG; "" for none
+  struct Shown {
+    std::string_view label;
+    std::string png;  ///< the bytes of a small one
+  };
+  std::vector<Shown> pictures = {};  ///< of a picture: itself, the right one, and their difference
 };
 
 /// The answer that holds, from 0, at a step of a lesson; -1 if that step asks nothing. Nothing for a lesson
@@ -42,11 +51,13 @@ class Marker {
   Marker(
       Scene scene, PictureSettings settings, std::optional<glm::ivec2> size, bool pictures,
       RightAnswer rightAnswer = [](const std::string&, int) { return std::nullopt; });
-  /// Never throws for what is in the file: it is unreadable then. @throws std::bad_alloc
-  [[nodiscard]] MarkedFile mark(const std::string& folder, const std::string& name);
+  /// The path is that in the folder. Never throws for what is in the file: it is unreadable then.
+  /// @throws std::bad_alloc
+  [[nodiscard]] MarkedFile mark(const std::string& folder, const std::string& path);
 
  private:
   void markPicture(MarkedFile& row, const std::string& path);
+  void showPictures(MarkedFile& row, const RgbImage& yours, Diagnoser& diagnoser);
   [[nodiscard]] const Picture& planesAt(glm::ivec2 size);
   /// Of an order, or of a run.
   void markOrder(MarkedFile& row, const std::string& path);
@@ -58,18 +69,22 @@ class Marker {
   bool pictures_;
   RightAnswer rightAnswer_;
   std::map<std::pair<int, int>, std::unique_ptr<Diagnoser>> diagnosers_;  ///< by size
+  std::map<std::pair<int, int>, RgbImage> right_;                         ///< pictures, by size
   std::map<std::pair<int, int>, Picture> planes_;                         ///< for orders, by size
 };
 
-/// The names of the regular files in a folder, sorted; hidden files are left out. @throws std::system_error
-[[nodiscard]] std::vector<std::string> handedInFiles(const std::string& folder);
+/// What a row earns of `most` points: a right one all, and answers the share that is right at the first try.
+[[nodiscard]] double pointsFor(const MarkedFile& row, double most);
 
-/// One line for the head and one for each file. A field that a spreadsheet could take for a formula begins
-/// with an apostrophe.
-[[nodiscard]] std::string marksAsCsv(const std::vector<MarkedFile>& rows);
+struct ClassMarks {
+  std::string title;
+  std::vector<std::string> stages;  ///< of the rubric; empty without one
+  std::vector<MarkedFile> rows;     ///< those of a student one after the other
+};
+/// The rows of each student. Without a rubric, a file of nobody is by itself.
+[[nodiscard]] std::vector<std::span<const MarkedFile>> byStudent(const ClassMarks& marks);
+
 /// How many files have each verdict, and which mistakes the class made, the commonest first.
-[[nodiscard]] std::string summaryOf(const std::vector<MarkedFile>& rows);
-/// One HTML file with the summary, and with the pictures in it. It asks for nothing from elsewhere.
-[[nodiscard]] std::string marksAsHtml(const std::string& title, const std::vector<MarkedFile>& rows);
+[[nodiscard]] std::string summaryOf(const ClassMarks& marks);
 
 }  // namespace xnewell

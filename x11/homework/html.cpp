@@ -1,6 +1,9 @@
 #include "x11/homework/html.h"
 
+#include <array>
 #include <cstdint>
+
+#include "geometry/files/visible.h"
 
 namespace xnewell {
 
@@ -28,8 +31,30 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-std::string imageElement(std::string_view png) {
-  return "<img alt=\"\" src=\"data:image/png;base64," + base64(png) + "\">\n";
+std::string imageUrl(std::string_view png) { return "data:image/png;base64," + base64(png); }
+
+std::string imageElement(std::string_view png) { return "<img alt=\"\" src=\"" + imageUrl(png) + "\">\n"; }
+
+std::string wellFormed(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
+  std::string all;
+  while (!text.empty()) {
+    const std::uint32_t lead = static_cast<std::uint8_t>(text[0]);
+    std::size_t size = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+    std::uint32_t code = size == 1 ? lead : lead & (0x7FU >> size);
+    bool isWell = (lead < 0x80 || lead >= 0xC2) && lead < 0xF5 && size <= text.size();
+    for (std::size_t k = 1; isWell && k < size; ++k)
+      isWell = continues(text[k]), code = code << 6 | (static_cast<std::uint8_t>(text[k]) & 0x3FU);
+    isWell = isWell && code >= kLeast[size] && code <= 0x10FFFF && (code & 0xFFFFF800) != 0xD800 &&
+             code != 0xFFFE && code != 0xFFFF && (code >= 0x20 || code == '\n' || code == '\t');
+    if (isWell)
+      all += text.substr(0, size);
+    else
+      size = 1, all += std::string{"\\x"} + kDigits[lead >> 4] + kDigits[lead & 15];
+    text.remove_prefix(size);
+  }
+  return all;
 }
 
 }  // namespace xnewell

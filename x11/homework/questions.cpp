@@ -454,8 +454,9 @@ std::string questionsAsGift(const std::vector<ExamQuestion>& questions) {
   return gift;
 }
 
-std::string questionsAsText(const std::vector<ExamQuestion>& questions) {
-  std::string asked, solved;
+QuestionTexts questionsAsText(const std::vector<ExamQuestion>& questions) {
+  QuestionTexts all;
+  auto& [asked, solved] = all;
   const auto add = [](std::string& to, const std::string& number, const std::string& text) {
     std::string indent = number;
     for (const std::string& line : broken(text, 100)) {
@@ -473,7 +474,7 @@ std::string questionsAsText(const std::vector<ExamQuestion>& questions) {
     asked += '\n';
     add(solved, number, (q.choices.empty() ? numberText(q) : letter(q.right)) + ". " + q.solution);
   }
-  return asked + "Solutions\n\n" + solved;
+  return all;
 }
 
 }  // namespace xnewell

@@ -47,8 +47,10 @@ struct QuestionKind {
 
 /// A file that Moodle imports.
 [[nodiscard]] std::string questionsAsGift(const std::vector<ExamQuestion>& questions);
-/// The questions, then the solutions.
-[[nodiscard]] std::string questionsAsText(const std::vector<ExamQuestion>& questions);
+struct QuestionTexts {
+  std::string asked, solved;
+};
+[[nodiscard]] QuestionTexts questionsAsText(const std::vector<ExamQuestion>& questions);
 
 /// A whole number in [low, high], and a number in steps of 1/per. (The distributions of the standard library
 /// may differ from machine to machine.)

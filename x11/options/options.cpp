@@ -156,7 +156,7 @@ std::vector<OptionRow> rowsFor(Options& o) {
   OptionRow& output =
       r.text("--output",
              "the PNG file to write; figure: an SVG, PDF or EPS file, by the end of its name; judge: a scene "
-             "file; grade: a CSV file",
+             "file; grade: a file of marks",
              "", [&](const std::string& s) { o.output = s; })
           .only({"draw", "snapshot", "figure", "trade", "extremes", "diagnose", "judge", "grade"});
   output.letter = "-o", output.takes = Takes::File;
@@ -300,6 +300,21 @@ std::vector<OptionRow> rowsFor(Options& o) {
           "grade: also write an HTML file with the pictures in it; lesson, lecture: write the window for "
           "browsers as one HTML file that begins with it")
       .only({"grade", "lesson", "lecture"});
+  r.choice("--format", kMarksFormats, o.format,
+           "the marks that -o writes, for a spreadsheet, a browser or a course system; those of gradescope, "
+           "classroom50 and prairielearn are for a FOLDER of one student")
+      .only({"grade"});
+  r.named(
+       "--rubric", o.rubric, "file",
+       "grade: a line a stage: its name, which is that of the file handed in, its points, and the scene and "
+       "options that say what is right, if the command line does not")
+      .only({"grade"});
+  r.named("--feedback", o.feedback, "folder",
+          "grade: also write a page for each student into this folder, by the names that Moodle takes back")
+      .only({"grade"});
+  r.named("--solutions", o.solutions, "file",
+          "lesson --worksheet, questions: write the solutions to this file, and not below the questions")
+      .only({"lesson --worksheet", "questions"});
   r.number("--count", o.questions, 1, 10'000, "questions: how many").only({"questions"});
   r.number("--seed", o.seed, 0, 1'000'000'000, "questions: another number gives other questions")
       .only({"questions"});

@@ -13,6 +13,7 @@
 #include "shading/picture/picture.h"
 #include "shading/scene/settings.h"
 #include "shading/trade/trade_request.h"
+#include "x11/homework/marks_formats.h"
 #include "x11/options/window_place.h"
 #include "x11/views/views.h"
 #include "x11/visual/visual.h"
@@ -158,13 +159,18 @@ struct Options {
   std::string answers;        ///< lesson, lecture: the file that keeps the answers; "" for none
   std::string sceneFor;       ///< diagnose: the keys of two mistakes; "" for none
   std::string page;           ///< grade: the HTML file to write; "" for none
+  std::string rubric;         ///< grade: the file to read; "" for none
+  std::string feedback;       ///< grade: the folder to write into; "" for none
   std::string gift;           ///< questions: the file for Moodle to write; "" for none
   int questions = 20;         ///< how many
   int seed = 1;               ///< of the questions
   std::string worksheet;      ///< lesson: the HTML file to write; "" for a window
+  std::string solutions;      ///< lesson, questions: the file to write; "" if they follow the questions
   double play = 0;            ///< lecture: seconds until a page turns by itself; 0: never
   std::string frames;         ///< trace, lesson: a folder for pictures; "" for JSON lines, or for a window
   Every every = Every::Cut;   ///< trace: the steps that become pictures
+
+  MarksFormat format = MarksFormat::Csv;  ///< grade: what -o writes
 
   /// True if the command line gives it. The argument is the name of an option, or "scene".
   [[nodiscard]] bool gave(std::string_view option) const {
@@ -174,7 +180,7 @@ struct Options {
 
 /// The files that the command writes, without folders and answers.
 [[nodiscard]] inline std::vector<std::string> outputsOf(const Options& o) {
-  std::vector<std::string> all{o.output, o.ids, o.page, o.gift, o.worksheet};
+  std::vector<std::string> all{o.output, o.ids, o.page, o.gift, o.worksheet, o.solutions};
   std::erase(all, "");
   return all;
 }

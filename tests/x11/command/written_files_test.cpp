@@ -43,13 +43,17 @@ const std::array kWriting{
     WritingRow{"--output", "judge", {"cycle", "@in/wrong.jsonl", "-o", "@"}, "out.json"},
     WritingRow{"--output", "grade", {"bench", "@in", "-o", "@"}, "out.csv"},
     WritingRow{"--page", "grade", {"bench", "@in", "-o", "@other.csv", "--page", "@"}, "out.html"},
+    WritingRow{"--feedback", "grade", {"bench", "@in", "-o", "@other.csv", "--feedback", "@"}, "pages"},
+    WritingRow{"--solutions", "questions", {"cycle", "--count", "5", "--solutions", "@"}, "out.txt"},
+    WritingRow{
+        "--solutions", "lesson", {"cycles", "--worksheet", "@other.html", "--solutions", "@"}, "out.html"},
     WritingRow{"--gift", "questions", {"cycle", "--count", "5", "--gift", "@"}, "out.gift"},
     WritingRow{"--frames", "lesson", {"cycles", "--frames", "@"}, "frames"},
     WritingRow{"--worksheet", "lesson", {"cycles", "--worksheet", "@"}, "out.html"},
 };
 
 /// These options read a file, or write it while a window is open: kept_answers_test.cpp.
-constexpr std::array<std::string_view, 3> kOthers{"--texture", "--answers", "--run"};
+constexpr std::array<std::string_view, 4> kOthers{"--texture", "--answers", "--run", "--rubric"};
 
 class WrittenFiles : public CommandTest {
  protected:
@@ -108,7 +112,7 @@ class WrittenFiles : public CommandTest {
   std::optional<XServer> server_;
 };
 
-bool isFolder(const WritingRow& row) { return row.option == "--frames"; }
+bool isFolder(const WritingRow& row) { return row.option == "--frames" || row.option == "--feedback"; }
 
 }  // namespace
 
@@ -173,6 +177,7 @@ TEST_F(WrittenFiles, AreNeitherReadNorOneFile) {
   std::filesystem::copy_file(file("in/drawn.png"), file("t.png"));
   write("s.json", R"({"objects": [{"file": "a.obj"}]})");
   write("set.json", R"({"scene": "s.json"})");
+  write("rubric", "drawn 1\n");
   std::filesystem::copy_file(std::string{XNEWELL_DATA_DIR} + "/lessons/cycles.json", file("l.json"));
   std::filesystem::create_hard_link(file("s.json"), file("hard.png"));
   std::filesystem::create_symlink("in/../s.json", file("soft.png"));
@@ -190,6 +195,7 @@ TEST_F(WrittenFiles, AreNeitherReadNorOneFile) {
       {{"grade", "bench", "@in", "-o", "@new.csv", "--page"}, "in/drawn.png", read},
       {{"grade", "bench", "@in", "-o"}, "in/wrong.jsonl", read},
       {{"grade", "bench", "@in", "-o", "@new.csv", "--page"}, "new.csv", one},
+      {{"grade", "bench", "@in", "--rubric", "@rubric", "-o"}, "rubric", read},
       {{"judge", "@set.json", "@in/wrong.jsonl", "-o"}, "s.json", read},
       {{"judge", "@set.json", "@in/wrong.jsonl", "-o"}, "in/wrong.jsonl", read},
       {{"diagnose", "bench", "@in/drawn.png", "-o"}, "in/drawn.png", read},

@@ -1,0 +1,139 @@
+#include "x11/homework/hand_ins.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <set>
+#include <system_error>
+
+#include "x11/drawing/wording.h"
+
+namespace xnewell {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// True if a file is handed in by its name: a picture of any kind, also of those that cannot be read, an
+/// order, or answers; also a folder or a link to nothing of such a name. A text that explains the folder is
+/// not.
+bool isHandedIn(std::string name) {
+  for (char& c : name)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  constexpr std::array<std::string_view, 14> kEnds{".jsonl", ".json", ".png",  ".ppm",  ".pgm",
+                                                   ".pnm",   ".xwd",  ".jpg",  ".jpeg", ".gif",
+                                                   ".bmp",   ".tif",  ".tiff", ".webp"};
+  return std::ranges::any_of(kEnds, [&](std::string_view end) { return name.ends_with(end); });
+}
+
+/// The parts of a name that Moodle gives: NAME_NUMBER_assignsubmission_KIND_REST. Without them it is all
+/// rest.
+struct MoodleName {
+  std::string student = {}, number = {}, rest;
+
+  explicit MoodleName(const std::string& name) : rest{name} {
+    constexpr std::string_view kMark = "_assignsubmission_";
+    const std::size_t mark = name.find(kMark), kind = mark == name.npos ? mark : mark + kMark.size();
+    const std::size_t end = kind == name.npos ? kind : name.find('_', kind);
+    if (end == name.npos || mark == 0) return;
+    const std::size_t digits = name.find_last_not_of("0123456789", mark - 1);
+    if (digits == name.npos || digits == 0 || digits == mark - 1 || name[digits] != '_') return;
+    student = name.substr(0, digits), number = name.substr(digits + 1, mark - digits - 1);
+    rest = name.substr(end + 1);
+  }
+};
+
+class Finder {
+ public:
+  explicit Finder(std::string folder) : folder_{std::move(folder)} {}
+
+  HandIns found() {
+    std::error_code error;
+    for (const fs::directory_entry& entry : entriesOf("", error)) {
+      const std::string name = entry.path().filename().string();
+      const MoodleName given{name};
+      numbers_[given.student].insert(given.number);
+      const bool isFolder = goesInto(entry, name);
+      HandIn one{.path = name,
+                 .student = given.student.empty() && isFolder ? name : given.student,
+                 .place = isFolder                ? name + '/'
+                          : given.student.empty() ? ""
+                                                  : name.substr(0, name.size() - given.rest.size())};
+      const std::size_t before = all_.files.size();
+      if (isFolder)
+        walk(one);
+      else
+        add(entry, one, given.rest);
+      if (isFolder && all_.files.size() == before) all_.files.push_back(one);
+      for (std::size_t k = before; k < all_.files.size(); ++k) number_.push_back(given.number);
+    }
+    if (error) throw std::system_error{error.value(), std::generic_category(), folder_};
+    tellApart();
+    return std::move(all_);
+  }
+
+ private:
+  /// Sorted by their names.
+  std::vector<fs::directory_entry> entriesOf(const std::string& below, std::error_code& error) const {
+    std::vector<fs::directory_entry> all;
+    for (fs::directory_iterator at{fs::path{folder_} / below, error}, end; !error && at != end;
+         at.increment(error))
+      all.push_back(*at);
+    std::ranges::sort(all, {}, [](const auto& entry) { return entry.path().string(); });
+    return all;
+  }
+  [[nodiscard]] static bool isHidden(const std::string& name) {
+    return name.starts_with('.') || name == "__MACOSX";
+  }
+  [[nodiscard]] static bool goesInto(const fs::directory_entry& entry, const std::string& name) {
+    std::error_code error;
+    return !isHidden(name) && !isHandedIn(name) && !entry.is_symlink(error) && entry.is_directory(error);
+  }
+  void add(const fs::directory_entry& entry, HandIn one, const std::string& name) {
+    std::error_code error;
+    if (isHidden(name) || isHidden(entry.path().filename().string()))
+      ++all_.passed["hidden file"];
+    else if (one.name = name; isHandedIn(name))
+      all_.files.push_back(std::move(one));
+    else
+      ++all_.passed[entry.is_symlink(error) && entry.is_directory(error) ? "linked folder" : "other file"];
+  }
+  void walk(const HandIn& in) {
+    std::error_code error;
+    for (const fs::directory_entry& entry : entriesOf(in.path, error)) {
+      const std::string name = entry.path().filename().string();
+      HandIn one = in;
+      one.path += '/' + name;
+      if (goesInto(entry, name))
+        walk(one);
+      else
+        add(entry, std::move(one), name);
+    }
+    if (error) ++all_.passed["unreadable folder"];
+  }
+  /// Two students of one name have their numbers behind it.
+  void tellApart() {
+    for (std::size_t k = 0; k < all_.files.size(); ++k)
+      if (HandIn& one = all_.files[k]; !number_[k].empty() && numbers_[one.student].size() > 1)
+        one.student += " (" + number_[k] + ')';
+    std::ranges::stable_sort(all_.files, {}, &HandIn::student);
+  }
+
+  std::string folder_;
+  HandIns all_;
+  std::vector<std::string> number_;                       ///< of the student, for each file
+  std::map<std::string, std::set<std::string>> numbers_;  ///< by the student's name
+};
+
+}  // namespace
+
+HandIns handInsOf(const std::string& folder) { return Finder{folder}.found(); }
+
+std::string sentenceOf(const PassedOver& passed) {
+  std::string all;
+  for (const auto& [what, count] : passed)
+    all += (all.empty() ? "passed over: " : ", ") + counted(count, what);
+  return all;
+}
+
+}  // namespace xnewell
