@@ -327,7 +327,7 @@ int tellQuestions(const Options& options, const Scene& scene) {
   if (static_cast<int>(questions.size()) < options.questions)
     throw UsageError{"--count: this scene has " + std::to_string(questions.size()) + " different questions"};
   const QuestionTexts texts = questionsAsText(questions);
-  const std::string gift = options.gift.empty() ? "" : questionsAsGift(questions);
+  const std::string gift = options.gift.empty() ? "" : questionsAsGift(questions, about.png);
   std::vector<OutputFile> files;
   if (!options.gift.empty()) files.push_back({options.gift, gift});
   if (!options.solutions.empty()) files.push_back({options.solutions, texts.solved});

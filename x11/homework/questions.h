@@ -16,8 +16,9 @@ namespace xnewell {
 
 struct ExamQuestion {
   std::string kind;
-  std::string text = {};  ///< one paragraph
-  /// A number and how far an answer may be off; or choices and the index of the right one.
+  std::string text = {};                ///< one paragraph
+  std::vector<std::string> lines = {};  ///< below it: the corners of polygons. Then the picture belongs to it
+  /// A number and how far an answer may be off; or choices and the index of the right one; or both.
   double number = 0, tolerance = 0;
   std::vector<std::string> choices = {};
   std::size_t right = 0;
@@ -32,6 +33,7 @@ struct QuestionScene {
   SortedScene sorted;                 ///< the textbook's run, recorded
   std::vector<int> nearest, byMeanZ;  ///< the face at each sample
   std::string name;
+  std::string png;  ///< the bytes of the right picture
 };
 
 using Dice = std::mt19937;
@@ -45,8 +47,8 @@ struct QuestionKind {
 /// `count` questions, the kinds in turn. The same seed gives the same questions on every machine.
 [[nodiscard]] std::vector<ExamQuestion> makeQuestions(const QuestionScene& scene, int count, unsigned seed);
 
-/// A file that Moodle imports.
-[[nodiscard]] std::string questionsAsGift(const std::vector<ExamQuestion>& questions);
+/// A file that Moodle imports. Questions about the scene have the picture in them.
+[[nodiscard]] std::string questionsAsGift(const std::vector<ExamQuestion>& questions, const std::string& png);
 struct QuestionTexts {
   std::string asked, solved;
 };

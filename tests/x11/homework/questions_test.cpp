@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -102,15 +103,106 @@ TEST(Questions, AnswersAreThoseOfASecondComputation) {
         EXPECT_EQ(q.number, second) << q.text;
       }
     }
-  EXPECT_GE(kinds.size(), 16u);
+  EXPECT_GE(kinds.size(), 13u);
 }
 
-/// Pictures of the scene with other orders, and what its faces are on the screen.
+/// A polygon as a question lists it.
+struct Listed {
+  int number = 0;
+  std::vector<V> corners;
+};
+std::vector<V> pointsIn(const std::string& text) {
+  std::vector<V> all;
+  const std::regex point{R"(\((-?[\d.]+), (-?[\d.]+), (-?[\d.]+)\))"};
+  for (std::sregex_iterator at{text.begin(), text.end(), point}, end; at != end; ++at)
+    all.push_back({std::stod(at->str(1)), std::stod(at->str(2)), std::stod(at->str(3))});
+  return all;
+}
+std::vector<Listed> listed(const ExamQuestion& q) {
+  std::vector<Listed> all;
+  for (const std::string& line : q.lines) all.push_back({std::stoi(line.substr(5)), pointsIn(line)});
+  return all;
+}
+
+/// z of a polygon's plane, by the areas of three triangles. The corners that span the most are taken.
+double zAt(const Listed& p, double x, double y) {
+  double most = 0, z = 0;
+  const auto area = [](const V& a, const V& b, double cx, double cy) {
+    return (b.x - a.x) * (cy - a.y) - (b.y - a.y) * (cx - a.x);
+  };
+  for (const V& a : p.corners)
+    for (const V& b : p.corners)
+      for (const V& c : p.corners)
+        if (const double all = area(a, b, c.x, c.y); std::abs(all) > most)
+          most = std::abs(all),
+          z = (area(b, c, x, y) * a.z + area(c, a, x, y) * b.z + area(a, b, x, y) * c.z) / all;
+  return z;
+}
+/// By the angles that the corners turn around a place.
+bool covers(const Listed& p, double x, double y) {
+  double turn = 0;
+  for (std::size_t k = 0; k < p.corners.size(); ++k) {
+    const V &a = p.corners[k], &b = p.corners[(k + 1) % p.corners.size()];
+    turn += std::remainder(std::atan2(b.y - y, b.x - x) - std::atan2(a.y - y, a.x - x), 2 * std::acos(-1.0));
+  }
+  return std::abs(turn) > 3;
+}
+/// By the turn at the leftmost corner.
+bool runsClockwise(const Listed& p) {
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < p.corners.size(); ++i)
+    if (p.corners[i].x < p.corners[k].x) k = i;
+  const std::size_t n = p.corners.size();
+  const V &a = p.corners[(k + n - 1) % n], &b = p.corners[k], &c = p.corners[(k + 1) % n];
+  return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x) > 0;  // y goes down
+}
+/// How far two lists of numbers lie apart.
+double apart(const std::vector<double>& p, const std::vector<double>& q) {
+  return std::max(std::ranges::min(q) - std::ranges::max(p), std::ranges::min(p) - std::ranges::max(q));
+}
+/// How far the outlines lie apart along the normal of an edge.
+double apart(const Listed& p, const Listed& q) {
+  double most = -1e9;
+  for (const Listed* of : {&p, &q})
+    for (std::size_t k = 0; k < of->corners.size(); ++k) {
+      const V &a = of->corners[k], &b = of->corners[(k + 1) % of->corners.size()];
+      const auto along = [&](const Listed& one) {
+        std::vector<double> all;
+        for (const V& c : one.corners)
+          all.push_back(((c.x - a.x) * (b.y - a.y) - (c.y - a.y) * (b.x - a.x)) /
+                        std::hypot(b.x - a.x, b.y - a.y));
+        return all;
+      };
+      most = std::max(most, apart(along(p), along(q)));
+    }
+  return most;
+}
+/// The first of the depth sort's tests that passes.
+std::string settledBy(const Listed& P, const Listed& Q) {
+  const auto along = [](const Listed& p, double V::*axis) {
+    std::vector<double> all;
+    for (const V& c : p.corners) all.push_back(c.*axis);
+    return all;
+  };
+  const auto onSide = [](const Listed& p, const Listed& plane, int side) {
+    return std::ranges::all_of(p.corners,
+                               [&](const V& c) { return side * (c.z - zAt(plane, c.x, c.y)) > -0.1; });
+  };
+  constexpr double kTouch = -0.005;  // outlines that touch do not overlap
+  if (apart(along(P, &V::x), along(Q, &V::x)) > kTouch) return "1";
+  if (apart(along(P, &V::y), along(Q, &V::y)) > kTouch) return "2";
+  if (onSide(P, Q, -1)) return "3";
+  if (onSide(Q, P, 1)) return "4";
+  if (apart(P, Q) > kTouch) return "5";
+  if (onSide(Q, P, -1)) return "3'";
+  if (onSide(P, Q, 1)) return "4'";
+  return "6";
+}
+
+/// Pictures of the scene with other orders.
 struct Second {
-  PictureSettings settings;
   std::vector<std::uint32_t> oracle, byMeanZ;  ///< face images
-  Picture unsorted, culled;
-  SortedScene run;
+  std::set<int> fronts;
 };
 Second second(const std::string& name) {
   const Scene scene = readScene(name);
@@ -121,92 +213,124 @@ Second second(const std::string& name) {
     other.order = order, other.cull = cull;
     return makePicture(scene, other, 0);
   };
-  const Picture unsorted = with(Order::Unsorted).withPlanes();
-  SortedScene run =
-      depthSort(unsorted.snapped(), {.width = 160, .height = 120, .textbook = true, .record = true});
-  return {s,        with(Order::Oracle).faceImage(),   with(Order::ZMean).faceImage(),
-          unsorted, with(Order::Unsorted, Cull::Back), std::move(run)};
+  Second all{with(Order::Oracle).faceImage(), with(Order::ZMean).faceImage(), {}};
+  const Picture culled = with(Order::Unsorted, Cull::Back);
+  for (const SnappedFace& face : culled.snapped().faces) all.fronts.insert(face.number);
+  return all;
 }
 
-/// True if the centre of the pixel lies inside a face, by the signs of its sides; an edge through the centre
-/// does not come up in these scenes.
-bool covers(const SnappedScene& scene, const SnappedFace& face, int i, int j) {
-  bool inside = true;
-  for (int k = 0; k < face.count; ++k) {
-    const glm::ivec3 &a = scene.vertices[face.first + k],
-                     &b = scene.vertices[face.first + (k + 1) % face.count];
-    const double x = (i + 0.5) * 65536, y = (j + 0.5) * 65536;
-    inside = inside && double(b.y - a.y) * (x - a.x) - double(b.x - a.x) * (y - a.y) > 0;
-  }
-  return inside;
-}
-
-/// True if a test of the planes settles the pair by hand: by the corners in the model, with the eye in front.
-bool passesByHand(const Picture& picture, Test test, int P, int Q) {
-  const Scene& scene = picture.scene();
-  const ViewSpec& view = picture.camera().view;
-  const glm::dvec3 eye = view.vrp + glm::transpose(vrcRotation(view)) * view.prp;
-  const bool ofP = test == Test::PBehindQ || test == Test::PInFrontOfQ;
-  const auto corners = [&](int face) { return scene.parts.part(picture.snapped().faces[face].part); };
-  const auto of = corners(ofP ? P : Q), other = corners(ofP ? Q : P);
-  const auto at = [&](int c) { return scene.mesh.points[c]; };
-  const glm::dvec3 N = glm::cross(at(other[1]) - at(other[0]), at(other[2]) - at(other[0]));
-  const bool behind = test == Test::PBehindQ || test == Test::QBehindP;
-  return std::ranges::all_of(of, [&](int c) {
-    const double inFront = glm::dot(N, at(c) - at(other[0])) * (glm::dot(N, eye - at(other[0])) > 0 ? 1 : -1);
-    return (behind ? inFront : -inFront) < 1e-12;
-  });
-}
-
-// Answers about a scene are those of a second way: pictures made with these orders, sides of outlines, faces
-// that culling removes, and the steps of a run of the test's own.
-TEST(Questions, AnswersAboutTheSceneAreThoseOfASecondWay) {
+// Who has nothing but the text of a question about a scene finds its answer; and so do pictures made with
+// other orders.
+TEST(Questions, AboutTheSceneAreAnsweredByTheirTextAlone) {
   std::map<std::string, int> asked;
-  for (const std::string name : {"two-cards", "cycle", "cubes", "penetrate", "bench"}) {
-    SCOPED_TRACE(name);
+  for (const std::string name : {"two-cards", "cycle", "cubes", "penetrate", "bench", "leaning-cards"}) {
     const Second other = second(name);
-    const SnappedScene& snapped = other.unsorted.snapped();
-    for (const ExamQuestion& q : makeQuestions(about(name), 120, 3)) {
-      SCOPED_TRACE(q.text);
-      const auto given = [&](const char* key) { return static_cast<int>(q.given.at(key)); };
+    for (const ExamQuestion& q : makeQuestions(about(name), 200, 3)) {
+      if (q.lines.empty()) continue;
+      SCOPED_TRACE(name + ", " + q.kind + ": " + q.text);
+      const std::vector<Listed> polygons = listed(q);
+      std::smatch place;
+      double x = 0, y = 0;
+      if (std::regex_search(q.text, place, std::regex{R"(x = ([\d.]+), y = ([\d.]+)[.,])"}))
+        x = std::stod(place.str(1)), y = std::stod(place.str(2));
       const auto at = [&](const std::vector<std::uint32_t>& faces) {
-        return static_cast<double>(faces[static_cast<std::size_t>(given("j")) * 160 + given("i")]) - 1;
+        return static_cast<int>(faces[static_cast<std::size_t>(y) * 160 + static_cast<std::size_t>(x)]) - 1;
       };
-      if (q.kind == "nearest-face") {
-        EXPECT_EQ(q.number, at(other.oracle));
+      const auto z = [&](const Listed& p) { return zAt(p, x, y); };
+      const auto mean = [](const Listed& p) {
+        double sum = 0;
+        for (const V& c : p.corners) sum += c.z;
+        return sum / static_cast<double>(p.corners.size());
+      };
+      if (q.kind == "nearest-z") {
+        const Listed& nearest = *std::ranges::max_element(polygons, {}, z);
+        EXPECT_NEAR(q.number, z(nearest), q.tolerance / 4);
+        EXPECT_EQ(nearest.number, at(other.oracle));
       } else if (q.kind == "wrong-sort") {
+        EXPECT_EQ(q.number, std::ranges::max_element(polygons, {}, mean)->number);
         EXPECT_EQ(q.number, at(other.byMeanZ));
         EXPECT_NE(q.number, at(other.oracle));
-      } else if (q.kind == "cuts") {
-        EXPECT_EQ(q.number, std::ranges::count(other.run.events, Event::Kind::Split, &Event::kind));
-      } else if (q.kind == "back-faces") {
-        EXPECT_EQ(q.number, other.culled.snapped().culled);
+      } else if (q.kind == "cut-place") {
+        const std::vector<V> edge = pointsIn(q.text.substr(q.text.find("the edge")));
+        double low = 0, high = 1;
+        const auto on = [&](double t) {
+          return V{edge[0].x + t * (edge[1].x - edge[0].x), edge[0].y + t * (edge[1].y - edge[0].y),
+                   edge[0].z + t * (edge[1].z - edge[0].z)};
+        };
+        const auto inFront = [&](double t) { return on(t).z > zAt(polygons[1], on(t).x, on(t).y); };
+        for (int k = 0; k < 50; ++k)
+          (inFront((low + high) / 2) == inFront(0) ? low : high) = (low + high) / 2;
+        EXPECT_NEAR(q.number, q.text.find("At which x") != q.text.npos ? on(low).x : on(low).y,
+                    q.tolerance / 4);
       } else if (q.kind == "faces-at-pixel") {
-        EXPECT_EQ(q.number, std::ranges::count_if(snapped.faces, [&](const SnappedFace& face) {
-                    return covers(snapped, face, given("i"), given("j"));
-                  }));
-      } else if (q.kind == "settling-test") {
-        EXPECT_EQ(std::set(q.choices.begin(), q.choices.end()).size(), 8u);
-        const auto event = std::ranges::find_if(other.run.events, [&](const Event& e) {
-          return e.kind == Event::Kind::Compare && e.P == given("P") && e.Q == given("Q");
-        });
-        ASSERT_NE(event, other.run.events.end());
-        EXPECT_TRUE(q.choices[q.right].starts_with(
-            "test " + std::string{kTestRows[static_cast<std::size_t>(event->test)].name} + ":"));
-        for (const xnewell::Test test : {xnewell::Test::PBehindQ, xnewell::Test::QInFrontOfP,
-                                         xnewell::Test::QBehindP, xnewell::Test::PInFrontOfQ})
-          if (test <= event->test) {
-            EXPECT_EQ(passesByHand(other.unsorted, test, given("P"), given("Q")), test == event->test);
-          }
+        EXPECT_EQ(q.number,
+                  std::ranges::count_if(polygons, [&](const Listed& p) { return covers(p, x, y); }));
+      } else if (q.kind == "back-faces") {
+        EXPECT_EQ(q.number, std::ranges::count_if(polygons, runsClockwise));
+        EXPECT_EQ(q.number, std::ranges::count_if(
+                                polygons, [&](const Listed& p) { return !other.fronts.contains(p.number); }));
       } else {
-        continue;
+        EXPECT_EQ(std::set(q.choices.begin(), q.choices.end()).size(), 8u);
+        EXPECT_TRUE(q.choices[q.right].starts_with("test " + settledBy(polygons[0], polygons[1]) + ":"))
+            << q.lines[0] << '\n'
+            << q.lines[1] << '\n'
+            << q.choices[q.right];
       }
       ++asked[q.kind];
     }
   }
   for (const char* kind :
-       {"nearest-face", "wrong-sort", "cuts", "back-faces", "faces-at-pixel", "settling-test"})
+       {"nearest-z", "wrong-sort", "cut-place", "back-faces", "faces-at-pixel", "settling-test"})
     EXPECT_GE(asked[kind], 1) << kind;
+}
+
+// No answer is 0 or 1. Wrong choices are what known mistakes give, and differ from the right one and each
+// other.
+TEST(Questions, OfferWhatMistakesGive) {
+  std::map<std::string, int> seen;
+  for (const ExamQuestion& q : makeQuestions(about("two-cards"), 300, 5)) {
+    if (q.choices.empty() || q.tolerance > 0) {
+      EXPECT_NE(std::abs(q.number), 0) << q.text;
+      EXPECT_NE(std::abs(q.number), 1) << q.text;
+    }
+    if (q.kind != "equation" && q.kind != "R.V") continue;
+    const Given& g = q.given;
+    EXPECT_NEAR(std::stod(q.choices[q.right]), q.number, 0.0006) << q.text;
+    EXPECT_GE(q.choices.size(), 3u);
+    EXPECT_EQ(std::set(q.choices.begin(), q.choices.end()).size(), q.choices.size());
+    std::map<std::string, double> given;
+    if (q.kind == "R.V") {
+      const double length = std::sqrt(by(of(g, "N"), of(g, "N")));
+      given = {{"R reversed", -q.number}, {"V from the eye", -q.number}, {"L from the light", -q.number}};
+      const double LV = std::cos(angleBetween(of(g, "L"), of(g, "V")));
+      given["R without its 2"] = (q.number + LV) / 2 - LV;
+      given["N not of unit length"] = (q.number + LV) * length * length - LV;
+    } else {
+      const bool lit = g.at("NL") > 0;
+      const double ambient = g.at("ka") * g.at("Ia"), diffuse = g.at("Ip") * g.at("kd") * g.at("NL"),
+                   specular = g.at("Ip") * g.at("ks") * std::pow(g.at("RV"), g.at("n"));
+      given = {{"no ambient term", lit ? diffuse + specular : 0},
+               {"the ambient term twice", 2 * ambient + (lit ? diffuse + specular : 0)},
+               {"no specular term", ambient + (lit ? diffuse : 0)},
+               {"no diffuse term", ambient + (lit ? specular : 0)},
+               {"no exponent", ambient + (lit ? diffuse + g.at("Ip") * g.at("ks") * g.at("RV") : 0)},
+               {"N.L not clamped", ambient + diffuse + (lit ? specular : 0)}};
+      for (auto& [words, I] : given) I = std::clamp(I, 0.0, 1.0);
+    }
+    for (std::size_t k = 0; k < q.choices.size(); ++k) {
+      if (k == q.right) continue;
+      EXPECT_GT(std::abs(std::stod(q.choices[k]) - q.number), 0.003) << q.text;
+      const std::size_t made = q.solution.find(" " + q.choices[k] + ": ");
+      ASSERT_NE(made, q.solution.npos) << q.solution;
+      const std::string words = q.solution.substr(made + q.choices[k].size() + 3);
+      for (const auto& [name, value] : given)
+        if (words.starts_with(name + ".")) {
+          EXPECT_NEAR(std::stod(q.choices[k]), value, 0.0006) << q.text << name;
+          ++seen[name];
+        }
+    }
+  }
+  EXPECT_GE(seen.size(), 9u);
 }
 
 // The same seed gives the same questions; no question comes twice; a GIFT file escapes what it must.
@@ -220,10 +344,14 @@ TEST(Questions, AreRepeatable) {
   std::set<std::string> texts;
   for (const ExamQuestion& q : first) texts.insert(q.text);
   EXPECT_EQ(texts.size(), first.size());
-  const std::string gift = questionsAsGift(first);
+  const std::string gift = questionsAsGift(first, "PNG");
   EXPECT_EQ(std::ranges::count(gift, '{'), 40);
   EXPECT_NE(gift.find("round(11 + 239 I)"), std::string::npos);
   EXPECT_NE(gift.find("\\= 0.02"), std::string::npos);
+  // Questions about the scene show it; no blank line parts a question.
+  EXPECT_NE(gift.find(R"(::[html]<p>)"), std::string::npos);
+  EXPECT_NE(gift.find(R"(src\="data\:image/png;base64,UE5H")"), std::string::npos);
+  EXPECT_EQ(std::ranges::count(gift, '}'), 40);
   EXPECT_EQ(questionsAsText({}).asked.find("1."), std::string::npos);
 }
 
