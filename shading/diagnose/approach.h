@@ -40,15 +40,20 @@ enum class VertexWay {
   MeanNotUnit
 };
 enum class TowardsLight { Unit, Away, NotUnit, DirectionAsPlace, PlaceAsDirection, FarPlace, Constant };
-enum class TowardsEye { Unit, Away, NotUnit, PlaceOfEye, Constant };
-enum class CosineWay { AsAsked, Reversed, Without2, PlusL, Halfway, Facing };
-enum class PowerWay { OfCosine, OfSum, Forgotten, WithKs };
-enum class IpWay { OnBoth, Forgotten, OnDiffuse };
+enum class TowardsEye { Unit, Away, NotUnit, PlaceOfEye, FromLookAt, Constant };
+enum class CosineWay { AsAsked, Reversed, Without2, PlusL, WithL, Halfway, Facing };
+enum class PowerWay { OfCosine, OfSum, Forgotten, WithKs, Times };
+enum class IpWay { OnBoth, Forgotten, OnDiffuse, OnHighlight };
+/// What becomes of the terms: their sum, the largest of all or of diffuse and specular; I / (1 + I), 1 -
+/// e^-I, or the whole part of I.
+enum class SumWay { Sum, Largest, LargerOfLight, Tone, Exponential, Whole };
 enum class FadeWay { AsAsked, Forgotten, Inverse, InverseSquare, NoLimit, OnAmbient };
-enum class CentroidWay { OfArea, FirstCorner, MeanOfCorners };
+enum class CentroidWay { OfArea, FirstCorner, MeanOfCorners, OfTriangle };
 enum class CellWay {
   Nearest,
   OneLess,
+  OneMore,
+  Upwards,
   By240,
   By255,
   Truncated,
@@ -104,10 +109,13 @@ struct Approach {
   PowerWay power = PowerWay::OfCosine;
   bool highlightTimesFacing = false;
   double ambient = 1, diffuse = 1, specular = 1;  ///< how often each term counts
+  bool ambientInTheDark = false;                  ///< the ambient term counts only where no light does
+  SumWay sum = SumWay::Sum;
   bool noKa = false, swapsKaKd = false, swapsKdKs = false;
   IpWay Ip = IpWay::OnBoth;
   FadeWay fade = FadeWay::AsAsked;
   CentroidWay centroid = CentroidWay::OfArea;
+  int threeFrom = 0;           ///< NormalWay::ThreeCorners begins with this corner
   bool meansOfFaces = false;   ///< Gouraud: a vertex has the mean intensity of the faces around it
   bool longNormals = false;    ///< Phong: interpolated normals are not made unit vectors
   bool onScreen = false;       ///< Phong, textures: interpolated over the screen, not in perspective

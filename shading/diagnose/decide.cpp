@@ -21,7 +21,8 @@ constexpr double kNearlyAll = 0.98;  ///< of the samples, where no row fits
 constexpr double kSameValue = 0.75;  ///< of 255: the values are whole numbers
 constexpr double kAsWell = 1e-6;     ///< of cost
 constexpr double kLargeN = 32;
-constexpr int kFewTelling = 5;  ///< samples; fewer tell nothing
+constexpr int kFewTelling = 12;  ///< samples; fewer tell nothing
+constexpr int kFewFaces = 2;
 constexpr double kTwoInformative = 0.95;
 constexpr int kPlacesForTwo = 3;  ///< pairs of values that must tell before two mistakes are named
 /// The faces, or values of smooth ones, that must tell a number; a third of those that are not right will do.
@@ -138,7 +139,7 @@ Fit Diagnoser::fit(TurnWay turn, const std::vector<Predicted>& other, std::size_
   const double t = tolerance(), own = 0.0 < most && most <= t ? 0.5 : t;
   const bool exactly = tellsExactly();
   std::bitset<256 * 256> places;
-  int explained = 0, told = 0;
+  int explained = 0, told = 0, lastFace = kNothing;  // samples are in order of faces
   for (std::size_t k = 0; k < d.size(); ++k) {
     const std::size_t s = k * stride;
     explained += d[k] <= t;
@@ -151,7 +152,9 @@ Fit Diagnoser::fit(TurnWay turn, const std::vector<Predicted>& other, std::size_
                                       : otherFromRight[k] <= own;
     if (yoursIsRight && otherIsRight) continue;
     ++fit.telling;
-    told += byValue ? isSame(yours, s, other[k]) : d[k] <= own;
+    const bool isTold = byValue ? isSame(yours, s, other[k]) : d[k] <= own;
+    told += isTold;
+    if (isTold && samples_[s].face != lastFace) ++fit.faces, lastFace = samples_[s].face;
     places.set(256 * std::clamp(static_cast<int>(right[s].value[0] + 0.5F), 0, 255) + yours.value[s][0]);
   }
   fit.places = static_cast<int>(places.count());
@@ -162,10 +165,11 @@ Fit Diagnoser::fit(TurnWay turn, const std::vector<Predicted>& other, std::size_
 
 /// True if a row or a number explains what it must.
 bool Diagnoser::isTold(const Fit& fit) const {
-  const bool isMistake = fit.first->meaning == Meaning::Wrong;
-  return fit.telling >= kFewTelling && fit.informative >= (!tellsExactly() ? kInformative
-                                                           : isMistake     ? kInformativeFlat
-                                                                           : kExact);
+  // Which face shows in a wrong order depends on small things, so not all of it is explained.
+  const bool byFaces = approachOf(fit).paint != PaintWay::Nearest;
+  if (fit.informative < (byFaces ? kInformativeOrder : tellsExactly() ? kExact : kInformative)) return false;
+  return isOk(fit.first->meaning) ||
+         (fit.telling >= kFewTelling && (fit.faces >= kFewFaces || kFewFaces * fit.faces >= facesSampled_));
 }
 
 /// True if several faces, or values of smooth ones, tell a number from the row that fits best without it: the
@@ -345,9 +349,26 @@ std::vector<std::string_view> Diagnoser::whatCannotBeSeen() {
       shown += tellsExactly() && other[k].slope == 0.0F && other[k].shows
                    ? std::abs(right[k].value[0] - other[k].value[0]) >= kSameValue
                    : apart(right[k], other[k]) > tolerance();
-    if (shown < kFewTelling) keys.push_back(h.key);
+    if (shown < kFewTelling && !differsSomewhere(h)) keys.push_back(h.key);
   }
   return keys;
+}
+
+bool Diagnoser::differsSomewhere(const Hypothesis& h) {
+  const std::vector<int> right = facesOf(PaintWay::Nearest);
+  const Approach way = approachWith(h);
+  const std::vector<int>& faces = facesOf(way.paint);
+  OtherProgram rightly{model_, xnewell::approachOf(settings_)}, wrongly{model_, way};
+  int shown = 0;
+  for (std::size_t at = 0; at < right.size(); ++at) {
+    if (right[at] == kNothing || faces[at] == kNothing || !rightly.canShow(right[at])) continue;
+    const int i = static_cast<int>(at) % settings_.width, j = static_cast<int>(at) / settings_.width;
+    const Predicted a{rightly.at(right[at], i, j)}, b{wrongly.at(faces[at], i, j)};
+    // Cells that are one off along a whole slope are no difference that shows.
+    shown += apart(a, b) > (tellsExactly() ? 1.0 : 3.0) * tolerance();
+    if (shown >= kFewTelling) return true;
+  }
+  return false;
 }
 
 /// The sample where picture and mistake are both furthest from right, and nearest to each other; without a

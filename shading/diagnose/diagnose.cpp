@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/vec2.hpp>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -15,6 +16,7 @@ namespace xnewell {
 
 namespace {
 
+constexpr double kExplainsStrange = 0.8;
 constexpr std::size_t kFewest = 50;  ///< samples, without which nothing can be said
 
 /// The settings of the picture that the faces come from: exact, not painted.
@@ -102,9 +104,8 @@ void Diagnoser::chooseSamples() {
   }
   OtherProgram right{model_, xnewell::approachOf(settings_)};
   const bool textured = !picture_.scene().textures.empty();
-  std::size_t faces = 0;
-  for (const auto& one : ofFace) faces += !one.empty();
-  if (faces == 0) return;
+  for (const auto& one : ofFace) facesSampled_ += !one.empty();
+  if (facesSampled_ == 0) return;
   // As many of each face as fit; what small faces leave goes to the large ones.
   const auto takenAt = [&](std::size_t most) {
     std::size_t sum = 0;
@@ -240,6 +241,14 @@ Diagnosis Diagnoser::operator()(const HandedIn& handed) {
   d.brightest = static_cast<double>(std::ranges::count_if(
                     asHanded_.value, [&](const auto& v) { return std::ranges::max(v) >= top; })) /
                 static_cast<double>(samples_.size());
+  // Black where nearly nothing should be.
+  const std::vector<Predicted>& shades = known(hypotheses().front());
+  const auto dark =
+      std::ranges::count_if(asHanded_.value, [](const auto& v) { return std::ranges::max(v) <= 1; });
+  const auto darkOnes =
+      std::ranges::count_if(shades, [](const Predicted& p) { return std::ranges::max(p.value) <= 16.0F; });
+  const double share = 1.0 / static_cast<double>(samples_.size());
+  d.isBlack = static_cast<double>(dark) * share >= 0.99 && static_cast<double>(darkOnes) * share < 0.5;
   d.isOneColor = true;
   for (std::size_t k = 3; k < handed.picture.rgb.size() && d.isOneColor; ++k)
     d.isOneColor = handed.picture.rgb[k] == handed.picture.rgb[k % 3];
@@ -256,7 +265,7 @@ Diagnosis Diagnoser::operator()(const HandedIn& handed) {
     reads_.push_back(best.overlap >= kOverlap ? read(handed, samples_, turn, d.readsCells) : Read{});
     if (best.overlap > d.outlines.overlap) d.outlines = best;
   }
-  if (d.outlines.overlap < kOverlap) {
+  if (d.isBlack || d.outlines.overlap < kOverlap) {
     d.verdict = Marking::OtherScene;
     return d;
   }
@@ -267,17 +276,99 @@ Diagnosis Diagnoser::operator()(const HandedIn& handed) {
   return d;
 }
 
-/// Where the picture shows another face than the nearest, which samples_ do not tell of: they leave out what
-/// a sort by z hides.
+/// True if another face that covers the sample has the picture's shade.
+bool Diagnoser::isAnotherFace(OtherProgram& program, const Read& yours, std::size_t k,
+                              const DiagnosedSample& s) {
+  const SnappedScene& scene = picture_.snapped();
+  const glm::ivec2 at{s.i * kGrid + kGrid / 2, s.j * kGrid + kGrid / 2};
+  for (const SnappedFace& face : scene.faces) {
+    const glm::ivec3* const p = &scene.vertices[face.first];
+    bool covers = false;
+    for (int a = 0, b = face.count - 1; a < face.count; b = a++)
+      if ((p[a].y > at.y) != (p[b].y > at.y))
+        covers ^= at.x < p[a].x + double(p[b].x - p[a].x) * (at.y - p[a].y) / (p[b].y - p[a].y);
+    const auto number = static_cast<int>(&face - scene.faces.data());
+    if (covers && number != s.face && apart(yours, k, predictedAt(program, s, number)) <= tolerance())
+      return true;
+  }
+  return false;
+}
+
+/// True if a pixel at the edge of faces has a shade that none of the faces around it has, nor the ground.
+bool Diagnoser::isStrange(OtherProgram& program, const Read& yours, const DiagnosedSample& s) {
+  constexpr double kStrange = 20.0;  // shades
+  const std::vector<int>& faces = facesOf(PaintWay::Nearest);
+  Predicted ground;
+  ground.shows = false;
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x) {
+      const int face = faces[static_cast<std::size_t>(s.j + y) * settings_.width + s.i + x];
+      if (face != kNothing && !program.canShow(face)) return false;
+      if (apart(yours, 0, face == kNothing ? ground : predictedAt(program, s, face)) <= kStrange)
+        return false;
+    }
+  return true;
+}
+
+/// Looks at all pixels of faces: samples_ are some, and leave out what a sort by z hides. Where the picture
+/// has the shade of another face, that shows. Other shades are those of mistakes that few samples show, if
+/// one explains them.
 void Diagnoser::countOthers(const HandedIn& handed, Diagnosis& d) {
-  OtherProgram program{model_, approachOf(d.found.front())};
-  const std::vector<DiagnosedSample> all = insideFaces();
-  const Read yours = read(handed, all, TurnWay::Upright, false);
+  constexpr std::size_t kMostLookedAt = 5000, kMostTried = 300, kFew = 6;
+  const Fit& found = d.found.front();
+  OtherProgram program{model_, approachOf(found)};
+  std::vector<DiagnosedSample> all = insideFaces();
+  const Read first = read(handed, all, TurnWay::Upright, false);
   d.inside = static_cast<int>(all.size());
   const bool textured = !picture_.scene().textures.empty();
-  for (std::size_t k = 0; k < all.size(); ++k)
-    d.others += apart(yours, k, predictedAt(program, all[k], all[k].face)) > tolerance() &&
-                (!textured || isOneTexel(program, all[k]));
+  std::size_t kept = 0, lookedAt = 0;
+  std::set<std::size_t> inside;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const DiagnosedSample s = all[k];
+    inside.insert(inside.end(), static_cast<std::size_t>(s.j) * settings_.width + s.i);
+    if (apart(first, k, predictedAt(program, s, s.face)) <= tolerance() ||
+        (textured && !isOneTexel(program, s)))
+      continue;
+    if (lookedAt++ < kMostLookedAt && isAnotherFace(program, first, k, s))
+      ++d.others;
+    else
+      all[kept++] = s;
+  }
+  all.resize(kept);
+  const std::vector<int>& faces = facesOf(PaintWay::Nearest);
+  for (int j = 1; j + 1 < settings_.height && !textured; ++j)
+    for (int i = 1; i + 1 < settings_.width; ++i) {
+      const std::size_t at = static_cast<std::size_t>(j) * settings_.width + i;
+      const DiagnosedSample s{i, j, faces[at]};
+      if (s.face == kNothing || inside.contains(at)) continue;
+      const Read yours = read(handed, {&s, 1}, TurnWay::Upright, false);
+      if (isStrange(program, yours, s) && !isAnotherFace(program, yours, 0, s)) all.push_back(s), ++kept;
+    }
+  d.strange = static_cast<int>(kept);
+  if (kept < kFew) return;
+  for (std::size_t k = 0; k < std::min(kept, kMostTried); ++k)
+    all[k] = all[k * kept / std::min(kept, kMostTried)];
+  all.resize(std::min(kept, kMostTried));
+  const Read yours = read(handed, all, TurnWay::Upright, false);
+  const Hypothesis* const with = found.first->meaning == Meaning::Allowed ? found.first : nullptr;
+  std::vector<Fit> explain;
+  for (const Fit& one : d.all) {
+    if (one.first->meaning != Meaning::Wrong || one.explained < kExplainsRight) continue;
+    OtherProgram wrong{model_, approachWith(*one.first, with)};
+    std::size_t told = 0;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      told += apart(yours, k, predictedAt(wrong, all[k], all[k].face)) <= tolerance();
+    Fit fit = one;
+    fit.second = with, fit.telling = d.strange;
+    fit.informative = static_cast<double>(told) / static_cast<double>(all.size());
+    if (fit.informative >= kExplainsStrange &&
+        std::ranges::none_of(explain, [&](const Fit& f) { return f.first->key == one.first->key; }))
+      explain.push_back(fit);
+  }
+  if (explain.empty()) return;
+  d.found = explain, d.doubts.clear();
+  d.verdict = d.found.size() == 1 ? Marking::Mistake : Marking::OneOf;
+  addPixel(d);
 }
 
 RgbImage Diagnoser::pictureBy(const Approach& way) {

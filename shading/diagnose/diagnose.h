@@ -54,8 +54,9 @@ struct Outlines {
 ///    explains the picture, the picture is right.
 /// 5. A mistake must explain kInformative of the samples that tell: those where it, or the picture, is not
 ///    right. That guards against mistakes that are not in the list. With flat shading and one hue, to explain
-///    is to show the same stored value, and a mistake must explain kInformativeFlat of them; elsewhere, edges
-///    of other programs leave some slack.
+///    is to show the same stored value, and a mistake must explain kExact of them; elsewhere, edges of other
+///    programs leave some slack. kFewTelling samples and kFewFaces faces must tell it, or a third of all
+///    faces.
 /// 6. If the right program does not show the picture exactly, other numbers are searched for, one at a time
 ///    (numbers.cpp). A number that fits better than all rows is told if several faces tell it from the best
 ///    of these; one that fits as well as a mistake is told with it, and one that fits as well as what the
@@ -65,7 +66,7 @@ struct Outlines {
 /// 8. If nothing fits, two rows at once are tried, and after them numbers in small steps.
 
 inline constexpr int kMostSamples = 3000;
-inline constexpr double kClass = 0.01, kInformative = 0.8, kInformativeFlat = 0.87;
+inline constexpr double kClass = 0.01, kInformative = 0.8, kInformativeOrder = 0.87;
 inline constexpr double kExplainsRight = 0.97;  ///< of the samples, before a picture is called right
 inline constexpr double kExact = 0.97;      ///< of the samples that tell, where each value must be the same
 inline constexpr std::size_t kThinned = 6;  ///< every sixth sample stands for all in a search
@@ -87,6 +88,7 @@ struct Fit {
   double explained = 0;    ///< share of all samples
   int telling = 0;         ///< samples that tell
   double informative = 0;  ///< share of these that it explains
+  int faces = 0;           ///< that have those of these samples which it explains
   int places = 0;          ///< pairs of a right value and the picture's that the samples that tell have
 };
 
@@ -115,11 +117,13 @@ struct Diagnosis {
   /// What fits a picture that is right with a variant as well as that.
   std::vector<Fit> doubts;
   int samples = 0;
-  int inside = 0, others = 0;  ///< of a right picture: all samples inside faces, and those of another shade
-  double exact = 1;            ///< the share of samples with the very value of the right picture
-  double brightest = 0;        ///< the share of samples where the picture has the shade of I = 1
+  /// Of a right picture: all samples inside faces, those that show another face, and those of another shade.
+  int inside = 0, others = 0, strange = 0;
+  double exact = 1;      ///< the share of samples with the very value of the right picture
+  double brightest = 0;  ///< the share of samples where the picture has the shade of I = 1
   Outlines outlines{.overlap = 1};
   bool isOtherSize = false, isOneColor = false;
+  bool isBlack = false;     ///< where faces show that are not
   bool readsCells = false;  ///< the cells of the picture are those of the table
   bool oneHue = true;
 };
@@ -178,6 +182,11 @@ class Diagnoser {
   [[nodiscard]] std::vector<DiagnosedSample> insideFaces();
   void chooseSamples();
   void countOthers(const HandedIn& handed, Diagnosis& d);
+  [[nodiscard]] bool isStrange(OtherProgram& program, const Read& yours, const DiagnosedSample& s);
+  /// True if a row shows something else than the right picture at some pixels of faces.
+  [[nodiscard]] bool differsSomewhere(const Hypothesis& h);
+  [[nodiscard]] bool isAnotherFace(OtherProgram& program, const Read& yours, std::size_t k,
+                                   const DiagnosedSample& s);
   [[nodiscard]] static Predicted predictedAt(OtherProgram& program, const DiagnosedSample& s, int face);
   [[nodiscard]] std::optional<std::array<std::uint8_t, 3>> groundOf(const HandedIn& picture, TurnWay turn);
   [[nodiscard]] Read read(const HandedIn& picture, std::span<const DiagnosedSample> samples, TurnWay turn,
@@ -211,6 +220,7 @@ class Diagnoser {
   OtherModel model_;
   std::map<PaintWay, std::vector<int>> faces_;
   std::vector<DiagnosedSample> samples_;
+  int facesSampled_ = 0;
   std::map<const Hypothesis*, std::vector<Predicted>> known_;
   std::map<std::pair<const Hypothesis*, const Hypothesis*>, std::vector<Predicted>> two_;  ///< thinned
   /// By number, thinned; of the second, in small steps.

@@ -16,69 +16,89 @@ using namespace rows;
 /// What the course allows.
 void addAllowed(std::vector<Hypothesis>& all) {
   constexpr std::string_view kStores255 = "It stores 255 I, not the table's colour.";
+  constexpr std::string_view kTriangles = "Polygons are cut into triangles, each with its own centroid.";
+  constexpr std::string_view kThree = "N is the normal of three of a face's corners.";
   constexpr std::string_view kStoresGamma = "It stores 255 I^(1/2.2), not the table's colour.";
-  all.insert(all.end(),
-             {allowed("L-constant", "L", "L is the same everywhere, as of a light far away.",
-                      [](W& w) { w.light = TowardsLight::Constant; }),
-              allowed("V-constant", "V", "V is the same everywhere, as of an eye far away.",
-                      [](W& w) { w.eye = TowardsEye::Constant; }),
-              allowed(
-                  "V-constant", "V", "V is the same everywhere, as of an eye far away.",
-                  [](W& w) { w.eye = TowardsEye::Constant, w.turnsByV = true; }, isTwoSided),
-              allowed("half-vector", "R.V", "The highlight is (N.H)^n, with the halfway vector.",
-                      [](W& w) { w.cosine = CosineWay::Halfway; }),
-              allowed("NL-to-the-n", "R.V", "The highlight is (N.L)^n, as in the tutorial.",
-                      [](W& w) { w.cosine = CosineWay::Facing; }),
-              allowed(
-                  "first-corner", "P", "The equation is evaluated at a face's first corner.",
-                  [](W& w) { w.centroid = CentroidWay::FirstCorner; }, isFlat),
-              allowed(
-                  "mean-of-corners", "P", "The equation is evaluated at the mean of a face's corners.",
-                  [](W& w) { w.centroid = CentroidWay::MeanOfCorners; }, isFlat),
-              allowed(
-                  "three-corners", "N", "N is the normal of a face's first three corners.",
-                  [](W& w) { w.normal = NormalWay::ThreeCorners; }, isFlat),
-              allowed(
-                  "other-diagonal", "method", "Polygons are cut along the other diagonal.",
-                  [](W& w) { w.otherDiagonal = true; }, hasVertices),
-              allowed(
-                  "by-rows", "method", "Intensities are interpolated along edges, then along rows.",
-                  [](W& w) { w.byRows = true; }, isGouraud),
-              allowed(
-                  "clamped-late", "I", "I is clamped at the pixels, not at the vertices.",
-                  [](W& w) { w.clampsLate = true; }, isGouraud),
-              allowed(
-                  "cells-between", "color(I)", "Numbers of cells are interpolated, not intensities.",
-                  [](W& w) { w.cellsBetween = true; }, isGouraud),
-              allowed(
-                  "affine", "N", "Normals are interpolated over the screen, without perspective.",
-                  [](W& w) { w.onScreen = true; }, isPhong),
-              allowed(
-                  "VN-sum", "N at a vertex", "N at a vertex is the sum of the normals of the faces there.",
-                  [](W& w) { w.vertex = VertexWay::Sum; }, hasVertices),
-              allowed(
-                  "VN-distinct", "N at a vertex", "N at a vertex counts each plane there once.",
-                  [](W& w) { w.vertex = VertexWay::Distinct; }, hasVertices),
-              allowed(
-                  "VN-area", "N at a vertex", "N at a vertex weighs the faces by area.",
-                  [](W& w) { w.vertex = VertexWay::Area; }, hasVertices),
-              allowed(
-                  "VN-angle", "N at a vertex", "N at a vertex weighs the faces by angle.",
-                  [](W& w) { w.vertex = VertexWay::Angle; }, hasVertices),
-              allowed(
-                  "VN-patch", "N at a vertex", "N at a vertex is the normal of the patch or of the file.",
-                  [](W& w) { w.vertex = VertexWay::Patch; }, hasVertices),
-              allowed(
-                  "8-bits", "table", "Stored values are rounded to 8 bits, not to 16.",
-                  [](W& w) { w.store = StoreWay::Rounded8; }, isCorrected),
-              allowed("stores-255-I", "color(I)", kStores255, [](W& w) { w.store = StoreWay::By255; }),
-              allowed("stores-255-I", "color(I)", kStores255,
-                      [](W& w) { w.store = StoreWay::By255, w.cell = CellWay::Truncated; }),
-              allowed("stores-256-I", "color(I)", "It stores 256 I, up to 255, not the table's colour.",
-                      [](W& w) { w.store = StoreWay::By256, w.cell = CellWay::Truncated; }),
-              allowed("stores-gamma", "color(I)", kStoresGamma, [](W& w) { w.store = StoreWay::ByGamma; }),
-              allowed("stores-gamma", "color(I)", kStoresGamma,
-                      [](W& w) { w.store = StoreWay::ByGamma, w.cell = CellWay::Truncated; })});
+  all.insert(
+      all.end(),
+      {allowed("table-gamma", "table", "The stored values are v^(1/2.2), as some courses ask.",
+               [](W& w) { w.store = StoreWay::Gamma; }),
+       allowed("L-constant", "L", "L is the same everywhere, as of a light far away.",
+               [](W& w) { w.light = TowardsLight::Constant; }),
+       allowed("V-constant", "V", "V is the same everywhere, as of an eye far away.",
+               [](W& w) { w.eye = TowardsEye::Constant; }),
+       allowed(
+           "V-constant", "V", "V is the same everywhere, as of an eye far away.",
+           [](W& w) { w.eye = TowardsEye::Constant, w.turnsByV = true; }, isTwoSided),
+       allowed("half-vector", "R.V", "The highlight is (N.H)^n, with the halfway vector.",
+               [](W& w) { w.cosine = CosineWay::Halfway; }),
+       allowed("half-vector-V-constant", "R.V; V", "The highlight is (N.H)^n, and V is the same everywhere.",
+               [](W& w) { w.cosine = CosineWay::Halfway, w.eye = TowardsEye::Constant; }),
+       allowed("NL-to-the-n", "R.V", "The highlight is (N.L)^n, as in the tutorial.",
+               [](W& w) { w.cosine = CosineWay::Facing; }),
+       allowed(
+           "first-corner", "P", "The equation is evaluated at a face's first corner.",
+           [](W& w) { w.centroid = CentroidWay::FirstCorner; }, isFlat),
+       allowed(
+           "mean-of-corners", "P", "The equation is evaluated at the mean of a face's corners.",
+           [](W& w) { w.centroid = CentroidWay::MeanOfCorners; }, isFlat),
+       allowed(
+           "triangles-apart", "P", kTriangles, [](W& w) { w.centroid = CentroidWay::OfTriangle; }, isFlat),
+       allowed(
+           "triangles-apart", "P", kTriangles,
+           [](W& w) { w.centroid = CentroidWay::OfTriangle, w.otherDiagonal = true; }, isFlat),
+       allowed(
+           "three-corners", "N", kThree, [](W& w) { w.normal = NormalWay::ThreeCorners; }, isFlat),
+       allowed(
+           "three-corners", "N", kThree, [](W& w) { w.normal = NormalWay::ThreeCorners, w.threeFrom = 1; },
+           isFlat),
+       allowed(
+           "three-corners", "N", kThree, [](W& w) { w.normal = NormalWay::ThreeCorners, w.threeFrom = 2; },
+           isFlat),
+       allowed(
+           "three-corners", "N", kThree, [](W& w) { w.normal = NormalWay::ThreeCorners, w.threeFrom = 3; },
+           isFlat),
+       allowed(
+           "other-diagonal", "method", "Polygons are cut along the other diagonal.",
+           [](W& w) { w.otherDiagonal = true; }, hasVertices),
+       allowed(
+           "by-rows", "method", "Intensities are interpolated along edges, then along rows.",
+           [](W& w) { w.byRows = true; }, isGouraud),
+       allowed(
+           "clamped-late", "I", "I is clamped at the pixels, not at the vertices.",
+           [](W& w) { w.clampsLate = true; }, isGouraud),
+       allowed(
+           "cells-between", "color(I)", "Numbers of cells are interpolated, not intensities.",
+           [](W& w) { w.cellsBetween = true; }, isGouraud),
+       allowed(
+           "affine", "N", "Normals are interpolated over the screen, without perspective.",
+           [](W& w) { w.onScreen = true; }, isPhong),
+       allowed(
+           "VN-sum", "N at a vertex", "N at a vertex is the sum of the normals of the faces there.",
+           [](W& w) { w.vertex = VertexWay::Sum; }, hasVertices),
+       allowed(
+           "VN-distinct", "N at a vertex", "N at a vertex counts each plane there once.",
+           [](W& w) { w.vertex = VertexWay::Distinct; }, hasVertices),
+       allowed(
+           "VN-area", "N at a vertex", "N at a vertex weighs the faces by area.",
+           [](W& w) { w.vertex = VertexWay::Area; }, hasVertices),
+       allowed(
+           "VN-angle", "N at a vertex", "N at a vertex weighs the faces by angle.",
+           [](W& w) { w.vertex = VertexWay::Angle; }, hasVertices),
+       allowed(
+           "VN-patch", "N at a vertex", "N at a vertex is the normal of the patch or of the file.",
+           [](W& w) { w.vertex = VertexWay::Patch; }, hasVertices),
+       allowed(
+           "8-bits", "table", "Stored values are rounded to 8 bits, not to 16.",
+           [](W& w) { w.store = StoreWay::Rounded8; }, isCorrected),
+       allowed("stores-255-I", "color(I)", kStores255, [](W& w) { w.store = StoreWay::By255; }),
+       allowed("stores-255-I", "color(I)", kStores255,
+               [](W& w) { w.store = StoreWay::By255, w.cell = CellWay::Truncated; }),
+       allowed("stores-256-I", "color(I)", "It stores 256 I, up to 255, not the table's colour.",
+               [](W& w) { w.store = StoreWay::By256, w.cell = CellWay::Truncated; }),
+       allowed("stores-gamma", "color(I)", kStoresGamma, [](W& w) { w.store = StoreWay::ByGamma; }),
+       allowed("stores-gamma", "color(I)", kStoresGamma,
+               [](W& w) { w.store = StoreWay::ByGamma, w.cell = CellWay::Truncated; })});
 }
 
 /// A form of a mistake that flows on into the turning of N towards the eye.
@@ -175,12 +195,18 @@ void addEquation(std::vector<Hypothesis>& all) {
        wrong(
            "V-is-eye", "V", "V is the place of the eye, without - P.",
            [](W& w) { w.eye = TowardsEye::PlaceOfEye, w.turnsByV = true; }, isTwoSided),
+       wrong("V-from-look-at", "V", "V points to the look-at point, not to the eye.",
+             [](W& w) { w.eye = TowardsEye::FromLookAt; }),
        shared(Mistake::ReversedR, "R", [](W& w) { w.cosine = CosineWay::Reversed; }),
        shared(Mistake::RWithout2, "R", [](W& w) { w.cosine = CosineWay::Without2; }),
        wrong("R-plus-L", "R", "R is 2 N (N.L) + L, so it is no unit vector and leans towards the light.",
              [](W& w) { w.cosine = CosineWay::PlusL; }),
+       wrong("R.L", "R.V", "The highlight has (R.L)^n, not (R.V)^n.",
+             [](W& w) { w.cosine = CosineWay::WithL; }),
        shared(Mistake::PowerOfSum, "n", [](W& w) { w.power = PowerWay::OfSum; }),
        shared(Mistake::NoPower, "n", [](W& w) { w.power = PowerWay::Forgotten; }),
+       wrong("n-times", "n", "The highlight has n (R.V), not (R.V)^n.",
+             [](W& w) { w.power = PowerWay::Times; }),
        shared(Mistake::KsInPower, "ks", [](W& w) { w.power = PowerWay::WithKs; }),
        shared(Mistake::HighlightTimesFacing, "ks", [](W& w) { w.highlightTimesFacing = true; }),
        shared(Mistake::NoSpecular, "ks", [](W& w) { w.specular = 0; }),
@@ -188,11 +214,25 @@ void addEquation(std::vector<Hypothesis>& all) {
        shared(Mistake::SwappedKs, "kd, ks", [](W& w) { w.swapsKdKs = true; }),
        shared(Mistake::NoAmbient, "ka Ia", [](W& w) { w.ambient = 0; }),
        shared(Mistake::TwiceAmbient, "ka Ia", [](W& w) { w.ambient = 2; }),
+       wrong("ambient-in-the-dark", "ka Ia", "The ambient term counts only where no light does.",
+             [](W& w) { w.ambientInTheDark = true; }),
+       wrong("max-for-the-sum", "I", "I is the largest of the terms, not their sum.",
+             [](W& w) { w.sum = SumWay::Largest; }),
+       wrong("max-for-the-sum", "I", "I is the largest of the terms, not their sum.",
+             [](W& w) { w.sum = SumWay::LargerOfLight; }),
+       wrong("tone-mapped", "min(1, I)", "I is compressed, as by I/(1 + I), not clamped.",
+             [](W& w) { w.sum = SumWay::Tone; }),
+       wrong("tone-mapped", "min(1, I)", "I is compressed, as by I/(1 + I), not clamped.",
+             [](W& w) { w.sum = SumWay::Exponential; }),
+       wrong("I-whole", "I", "I is a whole number, 0 or 1, as by a division of integers.",
+             [](W& w) { w.sum = SumWay::Whole; }),
        wrong("ka-forgotten", "ka Ia", "The ambient term is Ia alone, without ka.",
              [](W& w) { w.noKa = true; }),
        wrong("ka-kd-swapped", "ka, kd", "ka and kd are in each other's place.",
              [](W& w) { w.swapsKaKd = true; }),
        shared(Mistake::NoIp, "Ip", [](W& w) { w.Ip = IpWay::Forgotten; }),
+       wrong("Ip-not-on-diffuse", "Ip", "Only the highlight has Ip, so the diffuse term is too bright.",
+             [](W& w) { w.Ip = IpWay::OnHighlight; }),
        shared(Mistake::IpNotOnHighlight, "Ip", [](W& w) { w.Ip = IpWay::OnDiffuse; }),
        with(fades, wrong("f-forgotten", "f", "Light does not fade with its distance.",
                          [](W& w) { w.fade = FadeWay::Forgotten; })),

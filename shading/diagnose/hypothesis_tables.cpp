@@ -10,6 +10,9 @@ void addTables(std::vector<Hypothesis>& all) {
       all.end(),
       {wrong("cell-off-by-one", color, "The first cell is one too low.",
              [](W& w) { w.cell = CellWay::OneLess; }),
+       wrong("cell-one-more", color, "The first cell is one too high.",
+             [](W& w) { w.cell = CellWay::OneMore; }),
+       wrong("cell-ceil", color, "color(I) is rounded up.", [](W& w) { w.cell = CellWay::Upwards; }),
        wrong(
            "cell-240I", color, "color(I) has 240 I, not 239 I.", [](W& w) { w.cell = CellWay::By240; },
            isEvenTable),
@@ -59,9 +62,7 @@ void addTables(std::vector<Hypothesis>& all) {
            "table-r-64-steps", table, "r is that of a table of 64 shades.",
            [](W& w) { w.store = StoreWay::Ratio64; }, isCorrected),
        wrong("table-reversed", table, "The table runs from bright to dark.",
-             [](W& w) { w.store = StoreWay::Backwards; }),
-       wrong("table-gamma", table, "The stored values are v^(1/2.2).",
-             [](W& w) { w.store = StoreWay::Gamma; })});
+             [](W& w) { w.store = StoreWay::Backwards; })});
 }
 
 void addPainting(std::vector<Hypothesis>& all) {

@@ -114,10 +114,12 @@ glm::dvec3 OtherModel::product(int a, int b, int c, NormalWay way) const {
   return glm::cross(p, q);
 }
 
-glm::dvec3 OtherModel::faceNormal(int face, NormalWay way) const {
+glm::dvec3 OtherModel::faceNormal(int face, NormalWay way, int from) const {
   const auto corners = mesh().face(face);
   if (way == NormalWay::CornerProduct) return product(corners[0], corners[1], corners[2], way);
-  if (way == NormalWay::ThreeCorners) return unitOr0(product(corners[0], corners[1], corners[2], way));
+  const auto corner = [&](int k) { return corners[static_cast<std::size_t>(k) % corners.size()]; };
+  if (way == NormalWay::ThreeCorners)
+    return unitOr0(product(corner(from), corner(from + 1), corner(from + 2), way));
   glm::dvec3 sum{0.0};
   for (std::size_t k = 1; k + 1 < corners.size(); ++k)
     sum += product(corners[0], corners[k], corners[k + 1], way);

@@ -29,7 +29,8 @@ class OtherModel {
   /// Where flat shading evaluates a face.
   [[nodiscard]] glm::dvec3 centroid(int face, CentroidWay way) const;
   /// The normal of a face, before it is turned to a side.
-  [[nodiscard]] glm::dvec3 faceNormal(int face, NormalWay way) const;
+  /// `from` is the first of three corners.
+  [[nodiscard]] glm::dvec3 faceNormal(int face, NormalWay way, int from = 0) const;
   /// The normals at all corners, before they are turned to a side; made when they are first asked for.
   [[nodiscard]] const std::vector<glm::dvec3>& cornerNormals(VertexWay vertex, NormalWay normal);
   /// True if the viewer sees the back of a face.

@@ -34,6 +34,13 @@ double clampedBy(ClampWay way, double cosine) {
   return cosine;
 }
 
+/// What the picture has of an intensity.
+double toned(SumWay way, double I) {
+  if (way == SumWay::Tone) return I / (1.0 + std::max(0.0, I));
+  if (way == SumWay::Exponential) return 1.0 - std::exp(-I);
+  return way == SumWay::Whole ? std::floor(std::min(1.0, I)) : I;
+}
+
 /// v^n, as far as a picture can tell.
 double toThe(double v, double n) { return std::clamp(n == 0.0 ? 1.0 : std::pow(v, n), -1e6, 1e6); }
 
@@ -133,6 +140,9 @@ void OtherProgram::addLight(LitPlace& sum, const Light& light, const glm::dvec3&
     case CosineWay::PlusL:
       RV = glm::dot(2.0 * inR * N + L, V);
       break;
+    case CosineWay::WithL:
+      RV = glm::dot(2.0 * inR * N - L, L);
+      break;
     case CosineWay::Halfway:
       RV = glm::dot(N, unitVector(L + V));
       break;
@@ -140,6 +150,7 @@ void OtherProgram::addLight(LitPlace& sum, const Light& light, const glm::dvec3&
       RV = NL;
       break;
   }
+  sum.isLit |= NL > 0.0;
   if (std::isnan(sum.NdotL)) sum.NdotL = NL, sum.RdotV = RV;
   const double counted = clampedBy(way_.reflected, RV);
   const bool shines = inR > 0.0 || way_.highlightBehind;
@@ -149,6 +160,7 @@ void OtherProgram::addLight(LitPlace& sum, const Light& light, const glm::dvec3&
     double Ip = numberOr(way_, NumberOf::Ip, light.Ip[c]), IpOfHighlight = Ip;
     if (way_.Ip == IpWay::Forgotten) Ip = IpOfHighlight = 1.0;
     if (way_.Ip == IpWay::OnDiffuse) IpOfHighlight = 1.0;
+    if (way_.Ip == IpWay::OnHighlight) Ip = 1.0;
     if (way_.power == PowerWay::OfSum) {
       sum.diffuse[c] += f * Ip * toThe(s.kd * facing + (shines ? s.ks * counted : 0.0), n);
       continue;
@@ -157,6 +169,7 @@ void OtherProgram::addLight(LitPlace& sum, const Light& light, const glm::dvec3&
     if (!shines) continue;
     double highlight = s.ks * toThe(counted, n);
     if (way_.power == PowerWay::Forgotten) highlight = s.ks * counted;
+    if (way_.power == PowerWay::Times) highlight = s.ks * n * counted;
     if (way_.power == PowerWay::WithKs) highlight = toThe(s.ks * counted, n);
     if (way_.highlightTimesFacing) highlight *= facing;
     sum.rest[c] += way_.specular * f * IpOfHighlight * highlight;
@@ -177,26 +190,46 @@ LitPlace OtherProgram::lit(const glm::dvec3& P, const glm::dvec3& N, int materia
   glm::dvec3 towards = model_.eye - P;
   if (way_.eye == TowardsEye::Constant) towards = model_.eye - model_.lookAt;
   if (way_.eye == TowardsEye::PlaceOfEye) towards = model_.eye;
+  if (way_.eye == TowardsEye::FromLookAt) towards = model_.lookAt - P;
   glm::dvec3 V = way_.eye == TowardsEye::NotUnit ? towards : unitVector(towards);
   if (way_.eye == TowardsEye::Away) V = -V;
-  LitPlace sum;
+  std::array<double, 3> ambient{};
   for (int c = 0; c < model_.channels; ++c)
-    sum.rest[c] = way_.ambient * surface[c].ka * numberOr(way_, NumberOf::Ia, model_.Ia[c]);
+    ambient[c] = way_.ambient * surface[c].ka * numberOr(way_, NumberOf::Ia, model_.Ia[c]);
   if (way_.fade == FadeWay::OnAmbient)
     for (const Light& light : model_.lights) {
       const double f = fade(light, glm::length(light.position - P));
-      for (double& ambient : sum.rest) ambient *= f;
+      for (double& one : ambient) one *= f;
     }
   const bool away = way_.turnsByV && way_.twoSided && glm::dot(N, V) < 0.0;
+  LitPlace sum;
   for (const Light& light : model_.lights) addLight(sum, light, P, away ? -N : N, V, surface);
+  for (int c = 0; c < model_.channels; ++c) {
+    double &rest = sum.rest[c], &diffuse = sum.diffuse[c];
+    if (way_.sum == SumWay::Largest || way_.sum == SumWay::LargerOfLight) {
+      rest = std::max(diffuse, rest), diffuse = 0.0;
+      if (way_.sum == SumWay::Largest) rest = std::max(0.0, rest - ambient[c]);
+    }
+    if (!way_.ambientInTheDark || !sum.isLit) rest += ambient[c];
+  }
   return sum;
+}
+
+/// Flat shading of one of the triangles into which a polygon was cut.
+LitPlace OtherProgram::ofTriangle(const SnappedFace& face, const InTriangle& in) const {
+  const glm::dvec3 &a = model_.place(in.corner[0]), &b = model_.place(in.corner[1]),
+                   &c = model_.place(in.corner[2]);
+  glm::dvec3 N = unitVector(glm::cross(b - a, c - a));
+  if (glm::dot(N, model_.faceNormal(face.number, NormalWay::Unit)) < 0.0) N = -N;  // its outline is reversed
+  return lit((a + b + c) / 3.0, side(face.back) * N, model_.mesh().material[face.number]);
 }
 
 const LitPlace& OtherProgram::ofFace(int face, bool back) {
   std::optional<LitPlace>& known = faces_[2 * static_cast<std::size_t>(face) + back];
   if (!known)
-    known = lit(model_.centroid(face, way_.centroid), side(back) * model_.faceNormal(face, way_.normal),
-                model_.mesh().material[face]);
+    known =
+        lit(model_.centroid(face, way_.centroid),
+            side(back) * model_.faceNormal(face, way_.normal, way_.threeFrom), model_.mesh().material[face]);
   return *known;
 }
 
@@ -285,17 +318,20 @@ LitPlace OtherProgram::phong(const SnappedFace& face, const InTriangle& in) {
 double OtherProgram::intensity(const LitPlace& place, const std::array<double, 3>& texel) const {
   std::array<double, 3> I{};
   for (int c = 0; c < model_.channels; ++c) I[c] = place.rest[c] + place.diffuse[c] * texel[c];
+  for (double& v : I) v = toned(way_.sum, v);
   if (model_.channels == 1) return I[0];
   if (!way_.cellWraps)
     for (double& v : I) v = clamped01(v);
   return 0.30 * I[0] + 0.59 * I[1] + 0.11 * I[2];
 }
 
+bool OtherProgram::isWhole(const SnappedFace& f) const {
+  const auto source = model_.snapped().source.begin() + f.first;
+  return std::all_of(source, source + f.count, [](int corner) { return corner >= 0; });
+}
+
 bool OtherProgram::canShow(int face) const {
-  const SnappedFace& f = model_.snapped().faces[face];
-  for (int k = 0; k < f.count; ++k)
-    if (model_.snapped().source[f.first + k] < 0) return way_.method == Shading::Flat;
-  return true;
+  return way_.method == Shading::Flat || isWhole(model_.snapped().faces[face]);
 }
 
 /// Where each hue has a ramp: the shade of the brightest channel of the hue, and what its cell holds.
@@ -315,16 +351,19 @@ ShownHere OtherProgram::at(int face, int i, int j) {
   const SnappedFace& f = model_.snapped().faces[face];
   const int material = model_.mesh().material[f.number];
   const bool textured = material >= 0 && model_.mesh().materials[material].texture >= 0;
-  const bool clamps = !way_.clampsLate && !way_.cellWraps && !textured;
+  const bool clamps = !way_.clampsLate && !way_.cellWraps && way_.sum < SumWay::Tone && !textured;
   ShownHere shown;
   LitPlace place;
   InTriangle in;
-  const bool smooth = way_.method == Shading::Gouraud || way_.method == Shading::Phong;
-  if (smooth || textured) in = triangle(f, i, j);
-  if (way_.method == Shading::Flat) place = ofFace(f.number, f.back);
-  if (way_.method == Shading::Gouraud)
+  // What clipping has cut is not known between its corners, and is shown flat.
+  const bool whole = isWhole(f);
+  const Shading method = whole || way_.method == Shading::Depth ? way_.method : Shading::Flat;
+  if (whole) in = triangle(f, i, j);
+  if (method == Shading::Flat)
+    place = whole && way_.centroid == CentroidWay::OfTriangle ? ofTriangle(f, in) : ofFace(f.number, f.back);
+  if (method == Shading::Gouraud)
     place = way_.byRows && !textured && f.count > 3 ? alongRow(f, i, j, clamps) : gouraud(f, in, clamps);
-  if (way_.method == Shading::Phong) place = phong(f, in);
+  if (method == Shading::Phong) place = phong(f, in);
   if (way_.method == Shading::Depth) place.rest.fill(model_.byDepth[face]);
   std::array<double, 3> share = kNoTexel;
   if (textured)
@@ -415,6 +454,8 @@ int OtherProgram::cellOf(double I) const {
   const double real = realCell(in);
   double cell = table_.first() + (way_.cell == CellWay::Truncated ? std::floor(real) : nearestWhole(real));
   if (way_.cell == CellWay::OneLess) cell -= 1;
+  if (way_.cell == CellWay::OneMore) cell += 1;
+  if (way_.cell == CellWay::Upwards) cell = table_.first() + std::ceil(real);
   if (way_.cell == CellWay::FromZero) cell -= table_.first();
   if (way_.cellWraps || way_.cell == CellWay::NoI0Wraps)
     return static_cast<int>(static_cast<long long>(std::clamp(cell, -1e9, 1e9)) & 255);

@@ -17,6 +17,7 @@ namespace xnewell {
 /// The terms at one place; `rest` is the ambient and the specular term.
 struct LitPlace {
   std::array<double, 3> rest{}, diffuse{};
+  bool isLit = false;                                       ///< by a light
   double NdotL = std::numeric_limits<double>::quiet_NaN();  ///< of the first light
   double RdotV = std::numeric_limits<double>::quiet_NaN();
 };
@@ -54,6 +55,7 @@ class OtherProgram {
     std::array<int, 3> corner{};  ///< indices into Mesh::corners
     std::array<double, 3> onScreen{}, inWorld{};
   };
+  [[nodiscard]] bool isWhole(const SnappedFace& face) const;
   [[nodiscard]] std::vector<int> fanOf(const SnappedFace& face) const;
   [[nodiscard]] InTriangle triangle(const SnappedFace& face, int i, int j) const;
   [[nodiscard]] LitPlace lit(const glm::dvec3& P, const glm::dvec3& N, int material) const;
@@ -61,6 +63,7 @@ class OtherProgram {
                 const glm::dvec3& V, const std::array<Reflection, 3>& surface) const;
   [[nodiscard]] double fade(const Light& light, double d) const;
   [[nodiscard]] const LitPlace& ofFace(int face, bool back);
+  [[nodiscard]] LitPlace ofTriangle(const SnappedFace& face, const InTriangle& in) const;
   [[nodiscard]] const LitPlace& atCorner(int face, int corner, bool back);
   [[nodiscard]] LitPlace meanOfFaces(int point);
   [[nodiscard]] double side(bool back) const { return back && way_.twoSided && !way_.turnsByV ? -1.0 : 1.0; }

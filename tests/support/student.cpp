@@ -168,8 +168,10 @@ class Drawing {
   }
 
   [[nodiscard]] int cellOf(double I) const {
-    if (!has("I-wraps")) I = std::clamp(I, 0.0, 1.0);
     I = std::max(0.0, I);
+    if (has("tone-mapped")) I = I / (1 + I);
+    if (!has("I-wraps")) I = std::min(I, 1.0);
+    if (has("I-whole")) I = int(I);
     double steps = 239;
     if (has("cell-240I")) steps = 240;
     if (has("cell-255I")) steps = 255;
@@ -182,6 +184,8 @@ class Drawing {
       real = std::max(0.0, real);
     }
     int cell = static_cast<int>(has("cell-floor") ? std::floor(real) : std::floor(real + 0.5));
+    if (has("cell-ceil")) cell = static_cast<int>(std::ceil(real));
+    if (has("cell-one-more")) ++cell;
     if (!has("cell-first-forgotten")) cell += has("cell-off-by-one") ? first_ - 1 : first_;
     return has("I-wraps") ? cell % 256 : std::min(cell, 255);
   }
@@ -207,7 +211,8 @@ class Drawing {
     Triple L = has("L-not-unit") ? to : unitOf(to);
     if (has("L-sign")) L = times(-1, L);
     Triple V = minus(w_.eye, P);
-    if (has("V-constant")) V = minus(w_.eye, w_.at);
+    if (has("V-from-look-at")) V = minus(w_.at, P);
+    if (has("V-constant") || has("half-vector-V-constant")) V = minus(w_.eye, w_.at);
     if (has("V-is-eye")) V = w_.eye;
     if (!has("V-not-unit")) V = unitOf(V);
     if (has("V-sign")) V = times(-1, V);
@@ -221,7 +226,7 @@ class Drawing {
     if (has("R-plus-L")) R = plus(times(2 * NL, N), L);
     if (has("R-without-2")) R = minus(times(NL, N), L);
     double RV = dotOf(R, V);
-    if (has("half-vector")) RV = dotOf(N, unitOf(plus(L, V)));
+    if (has("half-vector") || has("half-vector-V-constant")) RV = dotOf(N, unitOf(plus(L, V)));
     if (has("NL-to-the-n")) RV = NL;
     double facing = std::max(0.0, NL);
     if (has("NL-unclamped")) facing = NL;
@@ -229,10 +234,12 @@ class Drawing {
     if (has("NL-angle") && !p_.flows)
       facing = std::max(0.0, 1 - std::acos(std::clamp(NL, -1.0, 1.0)) * 2 / kPi);
     double shine = std::max(0.0, RV);
+    if (has("R.L")) shine = std::max(0.0, dotOf(R, L));
     if (has("RV-unclamped")) shine = RV;
     if (has("RV-abs")) shine = std::fabs(RV);
     double highlight = ks * std::pow(shine, s.n);
     if (has("n-forgotten")) highlight = ks * shine;
+    if (has("n-times")) highlight = ks * s.n * shine;
     if (has("ks-in-the-power")) highlight = std::pow(ks * shine, s.n);
     if (has("spec-times-NL")) highlight *= facing;
     const bool asks = !has("highlight-behind") && !(p_.flows && has("NL-unclamped"));
@@ -243,6 +250,9 @@ class Drawing {
     if (has("Ia-forgotten")) ambient = 0;
     if (has("Ia-twice")) ambient *= 2;
     if (has("f-on-ambient")) ambient *= f;
+    if (has("ambient-in-the-dark") && NL > 0) ambient = 0;
+    if (has("Ip-not-on-diffuse")) return ambient + f * (diffuse + w_.Ip * highlight);
+    if (has("max-for-the-sum")) return std::max({ambient, f * w_.Ip * diffuse, f * w_.Ip * highlight});
     const double Ip = has("Ip-forgotten") ? 1 : w_.Ip;
     if (has("n-on-the-sum")) return ambient + f * Ip * std::pow(kd * facing + (NL > 0 ? ks * shine : 0), s.n);
     return ambient + f * (Ip * diffuse + (has("Ip-not-on-spec") ? 1 : Ip) * highlight);
@@ -250,8 +260,8 @@ class Drawing {
 
   [[nodiscard]] double sideOf(int f) const { return back_[f] && !has("N-one-sided") ? -1 : 1; }
 
-  double flatOf(int f) const {
-    const auto& face = w_.faces[f];
+  double flatOf(int f) const { return flatOf(f, w_.faces[f]); }
+  double flatOf(int f, const std::vector<int>& face) const {
     Triple P{};
     for (const int k : face) P = plus(P, times(1.0 / double(face.size()), w_.points[k]));
     if (has("first-corner")) P = w_.points[face[0]];
@@ -298,8 +308,9 @@ class Drawing {
     const std::size_t from = has("other-diagonal") ? 1 : 0;
     for (std::size_t k = 1; k + 1 < face.size(); ++k) {
       const std::size_t n = face.size();
-      fill(r, f, {face[from], face[(from + k) % n], face[(from + k + 1) % n]},
-           has("depth-cue") ? 'f' : method, flat);
+      const std::array<int, 3> tri{face[from], face[(from + k) % n], face[(from + k + 1) % n]};
+      if (has("triangles-apart") && method == 'f') flat = flatOf(f, {tri.begin(), tri.end()});
+      fill(r, f, tri, has("depth-cue") ? 'f' : method, flat);
     }
   }
   [[nodiscard]] double depthOf(int f) const {
@@ -315,7 +326,8 @@ class Drawing {
       y[k] = std::floor(p_.height / 2.0 - scale * seen_[tri[k]][1] - half + 0.5);
       if (method == 'g') {
         I[k] = vertexI(f, tri[k]);
-        if (!has("clamped-late") && !has("I-wraps")) I[k] = std::clamp(I[k], 0.0, 1.0);
+        if (!has("clamped-late") && !has("I-wraps") && !has("tone-mapped") && !has("I-whole"))
+          I[k] = std::clamp(I[k], 0.0, 1.0);
       }
     }
     const double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);

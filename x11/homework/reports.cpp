@@ -183,6 +183,10 @@ std::string verdictOf(const Diagnosis& d) {
              " mistakes: check Ia, n, the light, the camera and the divisions";
     case Marking::OtherScene:
       if (d.isOtherSize) return "another size: the picture has not as many pixels as the scene's";
+      if (d.isBlack)
+        return "no picture to judge: it is black where faces show, so nothing was painted or stored, or I "
+               "was "
+               "divided as whole numbers";
       if (d.isOneColor) return "no picture of this scene: all pixels have one colour";
       return "another scene, camera or size: the outlines overlap by " + percent(d.outlines.overlap);
   }
@@ -214,8 +218,8 @@ page::Page pageOf(const Diagnosis& d, const PartedBy& parted) {
          verdict + (d.verdict == Marking::Mistake ? "  [" + fitTerms(d.found.front()) + ']' : ""));
   if (d.others > 0)
     s.say("  at " + grouped(d.others) + " of " + counted(d.inside, "sample") +
-          " inside faces it shows another shade or another face; xnewell judge says whether its order is "
-          "right");
+          " inside faces it shows another face; xnewell judge says whether its order is right");
+  if (d.strange > 0) s.say("  at " + counted(d.strange, "pixel") + " it has another shade");
   if (d.found.size() > 1 && isFound)
     for (const Fit& fit : d.found) s.say("  " + wordsOf(fit) + "  [" + fitTerms(fit) + ']');
   s.fact("found", dataOf(d.found));

@@ -97,7 +97,7 @@ TEST(House, NamesMistakesThatFlowOn) {
   House house;
   house.program.flows = true;
   EXPECT_EQ(house.diagnosed().verdict, Marking::Right);
-  for (const std::string key : {"NL-abs", "NL-unclamped", "NL-angle", "V-sign", "V-is-eye"}) {
+  for (const std::string key : {"NL-abs", "NL-unclamped", "NL-angle", "V-sign"}) {
     house.program.mistake = key;
     const Diagnosis d = house.diagnosed();
     EXPECT_TRUE(keysOf(d).contains(key)) << key << ": " << d.found.size();

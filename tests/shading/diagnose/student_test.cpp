@@ -47,10 +47,11 @@ class Students {
 
   /// The keys that the student can plant here.
   [[nodiscard]] std::vector<std::string> keys(Meaning meaning) const {
-    // Pictures without a table have a test of their own; corners that are half a pixel off hide which it is.
-    static const std::set<std::string_view> kNotPlanted{"by-rows",      "VN-sum",      "VN-distinct",
-                                                        "VN-angle",     "VN-patch",    "stores-255-I",
-                                                        "stores-256-I", "stores-gamma"};
+    // Pictures without a table, and black ones, have tests of their own; corners that are half a pixel off
+    // hide which it is.
+    static const std::set<std::string_view> kNotPlanted{
+        "by-rows",      "VN-sum",       "VN-distinct",  "VN-angle",          "VN-patch",
+        "stores-255-I", "stores-256-I", "stores-gamma", "table-8-bit-in-16", "I-whole"};
     std::vector<std::string> all;
     std::set<std::string_view> seen;
     for (const Hypothesis& h : hypotheses()) {
@@ -77,7 +78,7 @@ bool isRight(const Diagnosis& d) { return d.verdict == Marking::Right || d.verdi
 struct Confusion {
   int planted = 0, invisible = 0, oneName = 0, inClass = 0, right = 0, unknown = 0, wrongName = 0;
   int oneNameByCells = 0;  ///< of those in a class, where the file has the cells
-  std::string misnamed;
+  std::string misnamed, unclear;
 
   void count(const std::string& key, const Diagnosis& d) {
     ++planted;
@@ -87,6 +88,7 @@ struct Confusion {
       named = named || f.first->key == key || (f.second && f.second->key == key);
       names += ' ' + std::string{f.first->key};
     }
+    if (d.verdict != Marking::Mistake && !isRight(d)) unclear += key + ':' + names + "; ";
     if (isRight(d))
       ++right;
     else if (d.verdict != Marking::Mistake && d.verdict != Marking::OneOf)
@@ -138,7 +140,7 @@ TEST(Diagnose, NamesThePlantedMistakeOnTheBench) {
   EXPECT_EQ(c.wrongName, 0) << c.misnamed;
   if (kSanitized) return;
   EXPECT_GE(c.planted, 200);
-  EXPECT_GE(c.oneName, (c.planted - c.invisible) * 91 / 100);
+  EXPECT_GE(c.oneName, (c.planted - c.invisible) * 91 / 100) << c.unclear;
   EXPECT_GE(c.oneName + c.oneNameByCells, (c.planted - c.invisible) * 95 / 100);
   EXPECT_EQ(c.unknown, 0);
 }
@@ -149,7 +151,7 @@ TEST(Diagnose, NamesThePlantedMistakeOnTheTeapot) {
   EXPECT_EQ(c.wrongName, 0) << c.misnamed;
   if (kSanitized) return;
   EXPECT_GE(c.planted, 150);
-  EXPECT_GE(c.oneName, (c.planted - c.invisible) * 80 / 100);
+  EXPECT_GE(c.oneName, (c.planted - c.invisible) * 80 / 100) << c.unclear;
 }
 
 // A right picture is right: with the course's variants, orders and other rules for edges.
@@ -245,11 +247,11 @@ TEST(Diagnose, LooksAtOutlinesFirst) {
   HandedIn empty{.picture = RgbImage{320, 240}, .cells = {}, .held = {}};
   std::ranges::fill(empty.picture.rgb, std::uint8_t{128});
   EXPECT_EQ(diagnoser(empty).verdict, Marking::OtherScene) << "all of it is one colour";
-  // All black may also be values of 8 bits where the server takes 16.
+  // All black may come from values of 8 bits where the server takes 16, or from much else.
   std::ranges::fill(empty.picture.rgb, std::uint8_t{0});
   const Diagnosis black = diagnoser(empty);
-  EXPECT_TRUE(
-      std::ranges::any_of(black.found, [](const Fit& f) { return f.first->key == "table-8-bit-in-16"; }));
+  EXPECT_TRUE(black.isBlack);
+  EXPECT_TRUE(black.found.empty());
 }
 
 // Other numbers are told as numbers: twice the n, y and z of the light swapped.
