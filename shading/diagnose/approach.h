@@ -20,6 +20,9 @@ enum class NormalWay {
   CornerProduct,
   Inward,
   InViewing,
+  NotTurned,
+  ByMatrix,
+  Scaled,
   Warped,
   WarpedDeep,
   WarpedInPixels,
@@ -39,7 +42,16 @@ enum class VertexWay {
   SumNotUnit,
   MeanNotUnit
 };
-enum class TowardsLight { Unit, Away, NotUnit, DirectionAsPlace, PlaceAsDirection, FarPlace, Constant };
+enum class TowardsLight {
+  Unit,
+  Away,
+  NotUnit,
+  DirectionAsPlace,
+  PlaceAsDirection,
+  FarPlace,
+  NotMoved,
+  Constant
+};
 enum class TowardsEye { Unit, Away, NotUnit, PlaceOfEye, FromLookAt, Constant };
 enum class CosineWay { AsAsked, Reversed, Without2, PlusL, WithL, Halfway, Facing };
 enum class PowerWay { OfCosine, OfSum, Forgotten, WithKs, Times };
@@ -83,7 +95,6 @@ enum class StoreWay {
 };
 /// Which faces show: the nearest; as listed; the nearest painted first; sorted by nearest z; no fronts.
 enum class PaintWay { Nearest, Listed, Reversed, NearestZ, BacksOnly };
-enum class TurnWay { Upright, UpsideDown, Mirrored, Turned };
 
 /// A number that is another one wherever the scene has `was`.
 enum class NumberOf { n, ka, kd, ks, Ia, Ip, I0 };
@@ -92,6 +103,8 @@ struct OtherNumber {
   double was = 0, is = 0;
   bool operator==(const OtherNumber&) const = default;
 };
+
+struct ViewMistake;
 
 struct Approach {
   Shading method = Shading::Flat;
@@ -127,7 +140,7 @@ struct Approach {
   StoreWay store = StoreWay::AsAsked;
   std::optional<TableKind> table = {};  ///< another kind, for cells and for what they hold
   PaintWay paint = PaintWay::Nearest;
-  TurnWay turn = TurnWay::Upright;
+  const ViewMistake* view = nullptr;  ///< of the viewing transformation; null for none
 
   // Numbers that a user might have said otherwise.
   std::optional<OtherNumber> number = {};

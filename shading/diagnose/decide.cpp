@@ -113,9 +113,8 @@ double Diagnoser::cellsApart(double cell, const Predicted& other) const {
   return std::abs(cell - other.cell) / (1.0 + other.slope / other.step);
 }
 
-Fit Diagnoser::fit(TurnWay turn, const std::vector<Predicted>& other, std::size_t stride) {
-  const Read& yours = reads_[static_cast<std::size_t>(turn)];
-  const Read& upright = reads_.front();
+Fit Diagnoser::fit(const std::vector<Predicted>& other, std::size_t stride) {
+  const Read& yours = asHanded_;
   const std::vector<Predicted>& right = known(hypotheses().front());
   Fit fit;
   std::vector<double> d(other.size()), fromRight(other.size()), otherFromRight(other.size());
@@ -123,13 +122,11 @@ Fit Diagnoser::fit(TurnWay turn, const std::vector<Predicted>& other, std::size_
   for (std::size_t k = 0; k < other.size(); ++k) {
     const std::size_t s = k * stride;
     d[k] = apart(yours, s, other[k]);
-    // A picture whose outlines fit only when it is turned differs from the right one everywhere.
-    fromRight[k] = upright.value.empty() ? 255.0 : apart(upright, s, right[s]);
+    fromRight[k] = apart(yours, s, right[s]);
     otherFromRight[k] = apart(right[s], other[k]);
     if (!yours.cell.empty() && other[k].shows) {
       d[k] = std::max(d[k], cellsApart(yours.cell[s], other[k]));
-      if (!upright.value.empty())
-        fromRight[k] = std::max(fromRight[k], cellsApart(upright.cell[s], right[s]));
+      fromRight[k] = std::max(fromRight[k], cellsApart(yours.cell[s], right[s]));
       otherFromRight[k] = std::max(otherFromRight[k], cellsApart(other[k].cell, right[s]));
     }
     most = std::max(most, otherFromRight[k]);
@@ -145,7 +142,7 @@ Fit Diagnoser::fit(TurnWay turn, const std::vector<Predicted>& other, std::size_
     explained += d[k] <= t;
     const bool byValue = exactly && other[k].slope == 0.0F;
     const bool yoursIsRight =
-        byValue ? fromRight[k] < 200.0 && isSame(upright, s, right[s]) : fromRight[k] <= own;
+        byValue ? fromRight[k] < 200.0 && isSame(yours, s, right[s]) : fromRight[k] <= own;
     const bool otherIsRight = byValue ? otherFromRight[k] < 200.0 &&
                                             std::abs(right[s].value[0] - other[k].value[0]) < kSameValue &&
                                             (yours.cell.empty() || right[s].cell == other[k].cell)
@@ -176,16 +173,15 @@ bool Diagnoser::isTold(const Fit& fit) const {
 /// picture has there what the number makes of them, and not what that row does.
 bool Diagnoser::severalTell(const Fit& number, const Hypothesis& best) {
   if (number.telling < kShareForNumber * static_cast<double>(samples_.size())) return false;
-  const Approach way = approachOf(number), without = approachWith(best);
-  const std::vector<Predicted> mine = predicted(way);
+  const std::vector<Predicted> mine = predicted(approachOf(number));
   const std::vector<Predicted>& theirs = known(best);
-  const auto shows = [&](TurnWay turn, std::size_t s, const Predicted& one) {
-    const Read& yours = reads_[static_cast<std::size_t>(turn)];
-    return tellsExactly() && one.slope == 0.0F ? isSame(yours, s, one) : apart(yours, s, one) <= tolerance();
+  const auto shows = [&](std::size_t s, const Predicted& one) {
+    return tellsExactly() && one.slope == 0.0F ? isSame(asHanded_, s, one)
+                                               : apart(asHanded_, s, one) <= tolerance();
   };
   std::set<std::pair<int, int>> faces;
   for (std::size_t s = 0; s < mine.size(); ++s)
-    if (shows(way.turn, s, mine[s]) && !shows(without.turn, s, theirs[s]))
+    if (shows(s, mine[s]) && !shows(s, theirs[s]))
       faces.emplace(samples_[s].face, tellsExactly() ? 0 : asHanded_.value[s][0]);
   const auto tell = static_cast<int>(faces.size());
   return tell >= kFacesForNumber || tell * kFacesForNumber >= number.places;
@@ -194,9 +190,8 @@ bool Diagnoser::severalTell(const Fit& number, const Hypothesis& best) {
 void Diagnoser::decide(Diagnosis& d) {
   std::vector<Fit> numbers;
   for (const Hypothesis& h : hypotheses()) {
-    const Approach way = approachWith(h);
-    if (!applies(h) || reads_[static_cast<std::size_t>(way.turn)].value.empty()) continue;
-    Fit one = fit(way.turn, known(h));
+    if (!applies(h) || (h.view && h.view->isSmall())) continue;
+    Fit one = fit(known(h));
     one.first = &h;
     if (h.meaning != Meaning::Numbers)
       d.all.push_back(one);
@@ -296,13 +291,11 @@ bool Diagnoser::decideByTwo(Diagnosis& d, double best, bool twoMistakes) {
       const bool wrong = first.meaning == Meaning::Wrong && second.meaning == Meaning::Wrong;
       if (!(tellsExactly() || (isFirstForm(first) && isFirstForm(second)))) continue;
       if (first.meaning == Meaning::Numbers || second.meaning == Meaning::Numbers || wrong != twoMistakes ||
-          first.key == second.key || !applies(first) || !applies(second))
+          first.key == second.key || first.view || second.view || !applies(first) || !applies(second))
         continue;
-      const Approach way = approachWith(first, &second);
-      if (reads_[static_cast<std::size_t>(way.turn)].value.empty()) continue;
       const auto [at, isNew] = two_.try_emplace({&first, &second});
-      if (isNew) at->second = predicted(way, kThinned);
-      Fit one = fit(way.turn, at->second, kThinned);
+      if (isNew) at->second = predicted(approachWith(first, &second), kThinned);
+      Fit one = fit(at->second, kThinned);
       one.first = &first, one.second = &second;
       pairs.push_back(one);
     }
@@ -312,8 +305,7 @@ bool Diagnoser::decideByTwo(Diagnosis& d, double best, bool twoMistakes) {
   std::set<std::set<std::string_view>> names;
   for (const Fit& pair : pairs) {
     if (pair.cost > least + kClass) break;
-    const Approach way = approachWith(*pair.first, pair.second);
-    Fit whole = fit(way.turn, predicted(way));
+    Fit whole = fit(predicted(approachWith(*pair.first, pair.second)));
     whole.first = pair.first, whole.second = pair.second;
     if (whole.explained < kExplainsRight || whole.informative < kTwoInformative) continue;
     if (twoMistakes && whole.places < kPlacesForTwo) continue;
@@ -341,8 +333,7 @@ std::vector<std::string_view> Diagnoser::whatCannotBeSeen() {
   std::vector<std::string_view> keys;
   std::set<std::string_view> seen;
   for (const Hypothesis& h : hypotheses()) {
-    if (h.meaning != Meaning::Wrong || !applies(h) || !seen.insert(h.key).second) continue;
-    if (approachWith(h).turn != TurnWay::Upright) continue;
+    if (h.meaning != Meaning::Wrong || h.view || !applies(h) || !seen.insert(h.key).second) continue;
     const std::vector<Predicted>& other = known(h);
     int shown = 0;
     for (std::size_t k = 0; k < right.size() && shown < kFewTelling; ++k)
@@ -355,9 +346,9 @@ std::vector<std::string_view> Diagnoser::whatCannotBeSeen() {
 }
 
 bool Diagnoser::differsSomewhere(const Hypothesis& h) {
-  const std::vector<int> right = facesOf(PaintWay::Nearest);
+  const std::vector<int> right = facesOf({});
   const Approach way = approachWith(h);
-  const std::vector<int>& faces = facesOf(way.paint);
+  const std::vector<int>& faces = facesOf(way);
   OtherProgram rightly{model_, xnewell::approachOf(settings_)}, wrongly{model_, way};
   int shown = 0;
   for (std::size_t at = 0; at < right.size(); ++at) {
@@ -377,7 +368,7 @@ void Diagnoser::addPixel(Diagnosis& d) {
   const std::vector<Predicted>& right = known(hypotheses().front());
   const bool named = !d.found.empty();
   const std::vector<Predicted> other =
-      atPixels(named ? approachOf(d.found.front()) : xnewell::approachOf(settings_));
+      predicted(named ? approachOf(d.found.front()) : xnewell::approachOf(settings_));
   double most = 0.0;
   std::optional<std::size_t> at;
   for (std::size_t k = 0; k < samples_.size(); ++k) {

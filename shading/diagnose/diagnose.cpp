@@ -63,15 +63,36 @@ Diagnoser::Diagnoser(Scene scene, const PictureSettings& settings)
                                 std::to_string(samples_.size())};
 }
 
-const std::vector<int>& Diagnoser::facesOf(PaintWay way) {
-  const auto [at, isNew] = faces_.try_emplace(way);
-  if (isNew) at->second = facesShown(picture_.snapped(), settings_.width, settings_.height, way);
+const std::vector<int>& Diagnoser::facesOf(const Approach& way) {
+  const int w = settings_.width, h = settings_.height;
+  const SnappedScene& scene = picture_.snapped();
+  if (way.view) {
+    if (viewed_.first == way.view) return viewed_.second;
+    const OtherView view{*way.view, picture_.camera(), model_.unit, w, h};
+    viewed_ = {way.view, view.facesShown(static_cast<int>(scene.faces.size()), [&](int face) {
+                 std::vector<glm::dvec3> polygon;
+                 for (const int point : picture_.scene().parts.part(scene.faces[face].part))
+                   polygon.push_back(model_.unit * picture_.scene().mesh.points[point]);
+                 return polygon;
+               })};
+    return viewed_.second;
+  }
+  const auto [at, isNew] = faces_.try_emplace(way.paint);
+  if (isNew) at->second = facesShown(scene, w, h, way.paint);
   return at->second;
+}
+
+bool Diagnoser::isInside(const std::vector<int>& faces, int i, int j) const {
+  const int face = faces[indexOf(i, j)];
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x)
+      if (faces[indexOf(i + x, j + y)] != face) return false;
+  return true;
 }
 
 std::vector<DiagnosedSample> Diagnoser::insideFaces() {
   const int w = settings_.width, h = settings_.height;
-  const std::vector<int>& exact = facesOf(PaintWay::Nearest);
+  const std::vector<int>& exact = facesOf({});
   OtherProgram right{model_, xnewell::approachOf(settings_)};
   const bool smooth = rowOf(settings_.shading).interpolates;
   const bool textured = !picture_.scene().textures.empty();
@@ -81,13 +102,8 @@ std::vector<DiagnosedSample> Diagnoser::insideFaces() {
   std::vector<DiagnosedSample> all;
   for (int j = 1; j + 1 < h; ++j)
     for (int i = 1; i + 1 < w; ++i) {
-      const std::size_t at = static_cast<std::size_t>(j) * w + i;
-      const int face = exact[at];
-      if (face == kNothing || !usable[face]) continue;
-      bool inside = true;
-      for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) inside &= exact[at + y * w + x] == face;
-      if (inside) all.push_back({i, j, face});
+      const int face = exact[indexOf(i, j)];
+      if (face != kNothing && usable[face] && isInside(exact, i, j)) all.push_back({i, j, face});
     }
   return all;
 }
@@ -130,8 +146,11 @@ Approach Diagnoser::approachOf(const Fit& fit) const {
 
 Approach Diagnoser::approachWith(const Hypothesis& first, const Hypothesis* second) const {
   Approach way = xnewell::approachOf(settings_);
-  first.change(way);
-  if (second) second->change(way);
+  for (const Hypothesis* h : {&first, second})
+    if (h) {
+      h->change(way);
+      if (h->view) way.view = h->view;
+    }
   return way;
 }
 
@@ -154,13 +173,13 @@ Diagnoser::Predicted Diagnoser::predictedAt(OtherProgram& program, const Diagnos
 
 std::vector<Diagnoser::Predicted> Diagnoser::predicted(const Approach& way, std::size_t stride) {
   OtherProgram program{model_, way};
-  const std::vector<int>& faces = facesOf(way.paint);
-  const int w = settings_.width;
+  const std::vector<int>& faces = facesOf(way);
+  const bool isRight = way.paint == PaintWay::Nearest && !way.view;
   std::vector<Predicted> all;
   all.reserve(samples_.size());
   for (std::size_t k = 0; k < samples_.size(); k += stride) {
     const DiagnosedSample& s = samples_[k];
-    const int face = way.paint == PaintWay::Nearest ? s.face : faces[static_cast<std::size_t>(s.j) * w + s.i];
+    const int face = isRight ? s.face : faces[indexOf(s.i, s.j)];
     Predicted p;
     if (face == kNothing)
       p.shows = false;
@@ -178,15 +197,14 @@ const std::vector<Diagnoser::Predicted>& Diagnoser::known(const Hypothesis& h) {
 }
 
 /// The commonest colour where no face shows; nothing if faces show almost everywhere.
-std::optional<std::array<std::uint8_t, 3>> Diagnoser::groundOf(const HandedIn& handed, TurnWay turn) {
-  const std::vector<int>& faces = facesOf(PaintWay::Nearest);
+std::optional<std::array<std::uint8_t, 3>> Diagnoser::groundOf(const HandedIn& handed,
+                                                               const std::vector<int>& faces) const {
   std::map<std::array<std::uint8_t, 3>, int> counts;
   int all = 0;
   for (int j = 0; j < settings_.height; ++j)
     for (int i = 0; i < settings_.width; ++i) {
-      if (faces[static_cast<std::size_t>(j) * settings_.width + i] != kNothing) continue;
-      const auto [x, y] = turned(turn, i, j, settings_.width, settings_.height);
-      const std::uint8_t* const p = handed.picture.pixel(x, y);
+      if (faces[indexOf(i, j)] != kNothing) continue;
+      const std::uint8_t* const p = handed.picture.pixel(i, j);
       ++counts[{p[0], p[1], p[2]}], ++all;
     }
   if (all * 100 < settings_.width * settings_.height) return std::nullopt;
@@ -213,14 +231,13 @@ bool Diagnoser::hasOurCells(const HandedIn& handed) {
 }
 
 Diagnoser::Read Diagnoser::read(const HandedIn& handed, std::span<const DiagnosedSample> samples,
-                                TurnWay turn, bool cells) const {
+                                bool cells) const {
   Read all;
   for (const DiagnosedSample& s : samples) {
-    const auto [x, y] = turned(turn, s.i, s.j, settings_.width, settings_.height);
-    const std::uint8_t* const p = handed.picture.pixel(x, y);
+    const std::uint8_t* const p = handed.picture.pixel(s.i, s.j);
     all.value.push_back({p[0], p[1], p[2]});
     if (!model_.colors) all.value.back()[0] = std::max({p[0], p[1], p[2]});
-    if (cells) all.cell.push_back(handed.cells->row(y)[x]);
+    if (cells) all.cell.push_back(handed.cells->row(s.j)[s.i]);
   }
   return all;
 }
@@ -234,8 +251,7 @@ Diagnosis Diagnoser::operator()(const HandedIn& handed) {
     return d;
   }
   d.readsCells = hasOurCells(handed);
-  reads_.clear();
-  asHanded_ = read(handed, samples_, TurnWay::Upright, d.readsCells);
+  asHanded_ = read(handed, samples_, d.readsCells);
   const OtherProgram right{model_, xnewell::approachOf(settings_)};
   const double top = model_.colors ? 255.0 : right.stored(right.brightest());
   d.brightest = static_cast<double>(std::ranges::count_if(
@@ -253,26 +269,29 @@ Diagnosis Diagnoser::operator()(const HandedIn& handed) {
   for (std::size_t k = 3; k < handed.picture.rgb.size() && d.isOneColor; ++k)
     d.isOneColor = handed.picture.rgb[k] == handed.picture.rgb[k % 3];
   d.outlines = {};
-  for (const TurnWay turn : {TurnWay::Upright, TurnWay::UpsideDown, TurnWay::Mirrored, TurnWay::Turned}) {
-    const auto ground = groundOf(handed, turn);
-    if (turn == TurnWay::Upright && ground) ground_ = *ground;
-    Outlines best{.overlap = ground ? 0.0 : 1.0};
-    for (const PaintWay paint : {PaintWay::Nearest, PaintWay::BacksOnly})
-      if (ground && (turn == TurnWay::Upright || paint == PaintWay::Nearest)) {
-        const Outlines outlines = outlinesOf(handed.picture, facesOf(paint), turn, *ground, kOverlap);
-        if (outlines.overlap > best.overlap) best = outlines;
-      }
-    reads_.push_back(best.overlap >= kOverlap ? read(handed, samples_, turn, d.readsCells) : Read{});
-    if (best.overlap > d.outlines.overlap) d.outlines = best;
+  for (const PaintWay paint : {PaintWay::Nearest, PaintWay::BacksOnly}) {
+    const std::vector<int>& faces = facesOf({.paint = paint});
+    const auto ground = groundOf(handed, faces);
+    if (paint == PaintWay::Nearest && ground) ground_ = *ground;
+    const Outlines outlines =
+        ground ? outlinesOf(handed.picture, faces, *ground, kOverlap) : Outlines{.overlap = 1.0};
+    if (outlines.overlap > d.outlines.overlap) d.outlines = outlines;
   }
-  if (d.isBlack || d.outlines.overlap < kOverlap) {
+  if (d.isBlack || d.isOneColor) {
     d.verdict = Marking::OtherScene;
+    if (d.isOneColor) addWhatShowsNothing(handed, d);
     return d;
   }
-  decide(d);
-  if ((d.verdict == Marking::Right || d.verdict == Marking::Allowed) && d.outlines.areOff())
-    d.verdict = Marking::Outlines;
-  if (d.verdict == Marking::Right || d.verdict == Marking::Allowed) countOthers(handed, d);
+  const bool overlaps = d.outlines.overlap >= kOverlap;
+  if (overlaps) decide(d);
+  const auto isRight = [&d] { return d.verdict == Marking::Right || d.verdict == Marking::Allowed; };
+  if (!overlaps || d.verdict == Marking::Unknown || (isRight() && d.outlines.areOff())) {
+    if (decidePlaced(handed, d)) return d;
+    if (!overlaps) d.verdict = Marking::OtherScene;
+    if (isRight()) d.verdict = Marking::Outlines;
+  }
+  if (isRight()) decideByEdges(handed, d);
+  if (isRight()) countOthers(handed, d);
   return d;
 }
 
@@ -297,7 +316,7 @@ bool Diagnoser::isAnotherFace(OtherProgram& program, const Read& yours, std::siz
 /// True if a pixel at the edge of faces has a shade that none of the faces around it has, nor the ground.
 bool Diagnoser::isStrange(OtherProgram& program, const Read& yours, const DiagnosedSample& s) {
   constexpr double kStrange = 20.0;  // shades
-  const std::vector<int>& faces = facesOf(PaintWay::Nearest);
+  const std::vector<int>& faces = facesOf({});
   Predicted ground;
   ground.shows = false;
   for (int y = -1; y <= 1; ++y)
@@ -318,7 +337,7 @@ void Diagnoser::countOthers(const HandedIn& handed, Diagnosis& d) {
   const Fit& found = d.found.front();
   OtherProgram program{model_, approachOf(found)};
   std::vector<DiagnosedSample> all = insideFaces();
-  const Read first = read(handed, all, TurnWay::Upright, false);
+  const Read first = read(handed, all, false);
   d.inside = static_cast<int>(all.size());
   const bool textured = !picture_.scene().textures.empty();
   std::size_t kept = 0, lookedAt = 0;
@@ -335,13 +354,13 @@ void Diagnoser::countOthers(const HandedIn& handed, Diagnosis& d) {
       all[kept++] = s;
   }
   all.resize(kept);
-  const std::vector<int>& faces = facesOf(PaintWay::Nearest);
+  const std::vector<int>& faces = facesOf({});
   for (int j = 1; j + 1 < settings_.height && !textured; ++j)
     for (int i = 1; i + 1 < settings_.width; ++i) {
       const std::size_t at = static_cast<std::size_t>(j) * settings_.width + i;
       const DiagnosedSample s{i, j, faces[at]};
       if (s.face == kNothing || inside.contains(at)) continue;
-      const Read yours = read(handed, {&s, 1}, TurnWay::Upright, false);
+      const Read yours = read(handed, {&s, 1}, false);
       if (isStrange(program, yours, s) && !isAnotherFace(program, yours, 0, s)) all.push_back(s), ++kept;
     }
   d.strange = static_cast<int>(kept);
@@ -349,7 +368,7 @@ void Diagnoser::countOthers(const HandedIn& handed, Diagnosis& d) {
   for (std::size_t k = 0; k < std::min(kept, kMostTried); ++k)
     all[k] = all[k * kept / std::min(kept, kMostTried)];
   all.resize(std::min(kept, kMostTried));
-  const Read yours = read(handed, all, TurnWay::Upright, false);
+  const Read yours = read(handed, all, false);
   const Hypothesis* const with = found.first->meaning == Meaning::Allowed ? found.first : nullptr;
   std::vector<Fit> explain;
   for (const Fit& one : d.all) {
@@ -375,13 +394,12 @@ RgbImage Diagnoser::pictureBy(const Approach& way) {
   constexpr std::uint8_t kGround = 64;
   const int w = settings_.width, h = settings_.height;
   OtherProgram program{model_, way};
-  const std::vector<int>& faces = facesOf(way.paint);
+  const std::vector<int>& faces = facesOf(way);
   RgbImage image{w, h};
   for (int j = 0; j < h; ++j)
     for (int i = 0; i < w; ++i) {
-      const auto [x, y] = turned(way.turn, i, j, w, h);
-      std::uint8_t* const rgb = image.pixel(x, y);
-      const int face = faces[static_cast<std::size_t>(j) * w + i];
+      std::uint8_t* const rgb = image.pixel(i, j);
+      const int face = faces[indexOf(i, j)];
       std::fill(rgb, rgb + 3, kGround);
       if (face == kNothing || !program.canShow(face)) continue;
       const ShownHere shown = program.at(face, i, j);
@@ -393,8 +411,8 @@ RgbImage Diagnoser::pictureBy(const Approach& way) {
   return image;
 }
 
-Outlines outlinesOf(const RgbImage& handed, const std::vector<int>& faces, TurnWay turn,
-                    std::array<std::uint8_t, 3> ground, double least) {
+Outlines outlinesOf(const RgbImage& handed, const std::vector<int>& faces, std::array<std::uint8_t, 3> ground,
+                    double least) {
   constexpr int kFar = 40;  // pixels; farther ones count as that far
   const int w = handed.width, h = handed.height;
   const bool isDark = std::max({ground[0], ground[1], ground[2]}) <= 16;
@@ -412,8 +430,7 @@ Outlines outlinesOf(const RgbImage& handed, const std::vector<int>& faces, TurnW
     for (int i = 1; i + 1 < w; ++i) {
       if (!isAllAlike(i, j, 1)) continue;
       const bool ours = shows(i, j);
-      const auto [x, y] = turned(turn, i, j, w, h);
-      const std::uint8_t* const p = handed.pixel(x, y);
+      const std::uint8_t* const p = handed.pixel(i, j);
       const bool theirs = p[0] != ground[0] || p[1] != ground[1] || p[2] != ground[2] || (isDark && ours);
       both += ours && theirs, either += ours || theirs;
       if (ours != theirs) others.push_back({i, j});

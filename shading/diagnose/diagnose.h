@@ -37,7 +37,7 @@ struct Outlines {
 /// @param faces   what the right picture shows, row by row; kNothing for ground
 /// @param ground  the colour of the handed picture where the right one shows ground
 /// @param least   with less overlap, only the overlap is told
-[[nodiscard]] Outlines outlinesOf(const RgbImage& handed, const std::vector<int>& faces, TurnWay turn,
+[[nodiscard]] Outlines outlinesOf(const RgbImage& handed, const std::vector<int>& faces,
                                   std::array<std::uint8_t, 3> ground, double least);
 
 /// Which mistake is it? Somebody's program drew a scene that is known, with settings that are known. For each
@@ -172,12 +172,17 @@ class Diagnoser {
   [[nodiscard]] RgbImage pictureBy(const Approach& way);
 
  private:
-  /// What a picture has at the samples, in one of four turns.
+  /// What a picture has at some samples.
   struct Read {
     std::vector<std::array<std::uint8_t, 3>> value;
     std::vector<std::int16_t> cell;  ///< empty if its cells are not ours
   };
-  [[nodiscard]] const std::vector<int>& facesOf(PaintWay way);
+  [[nodiscard]] const std::vector<int>& facesOf(const Approach& way);
+  [[nodiscard]] std::size_t indexOf(int i, int j) const {
+    return static_cast<std::size_t>(j) * settings_.width + i;
+  }
+  /// True if all neighbours show what the pixel shows.
+  [[nodiscard]] bool isInside(const std::vector<int>& faces, int i, int j) const;
   /// All samples inside faces, by row.
   [[nodiscard]] std::vector<DiagnosedSample> insideFaces();
   void chooseSamples();
@@ -188,12 +193,13 @@ class Diagnoser {
   [[nodiscard]] bool isAnotherFace(OtherProgram& program, const Read& yours, std::size_t k,
                                    const DiagnosedSample& s);
   [[nodiscard]] static Predicted predictedAt(OtherProgram& program, const DiagnosedSample& s, int face);
-  [[nodiscard]] std::optional<std::array<std::uint8_t, 3>> groundOf(const HandedIn& picture, TurnWay turn);
-  [[nodiscard]] Read read(const HandedIn& picture, std::span<const DiagnosedSample> samples, TurnWay turn,
+  [[nodiscard]] std::optional<std::array<std::uint8_t, 3>> groundOf(const HandedIn& picture,
+                                                                    const std::vector<int>& faces) const;
+  [[nodiscard]] Read read(const HandedIn& picture, std::span<const DiagnosedSample> samples,
                           bool cells) const;
   [[nodiscard]] bool hasOurCells(const HandedIn& picture);
   /// Every `stride`th sample; `other` has no more than these.
-  [[nodiscard]] Fit fit(TurnWay turn, const std::vector<Predicted>& other, std::size_t stride = 1);
+  [[nodiscard]] Fit fit(const std::vector<Predicted>& other, std::size_t stride = 1);
   [[nodiscard]] double apart(const Read& yours, std::size_t sample, const Predicted& other) const;
   [[nodiscard]] double apart(const Predicted& a, const Predicted& b) const;
   [[nodiscard]] std::vector<std::optional<Predicted>> insideFaces(const Hypothesis& h);
@@ -209,24 +215,37 @@ class Diagnoser {
   [[nodiscard]] const std::vector<Predicted>& known(const Hypothesis& h);
   void decide(Diagnosis& d);
   bool decideByTwo(Diagnosis& d, double best, bool twoMistakes);
-  /// What a program shows at the pixel of sample k, where a picture that is turned may have another face.
-  /// Nothing where that is not known.
-  [[nodiscard]] std::optional<Predicted> atPixel(OtherProgram& program, const Approach& way, std::size_t k);
-  [[nodiscard]] std::vector<Predicted> atPixels(const Approach& way);
+  /// A view (place.cpp): places all over the picture, and what shows there.
+  struct Seen {
+    std::vector<int> face;  ///< kNothing: the ground; kEdge: that is not known
+    std::vector<Predicted> shown;
+  };
+  struct Score {
+    double share = 0, overlap = 0;
+    int counted = 0, faces = 0;
+  };
+  static constexpr int kEdge = -2;
+  [[nodiscard]] const Seen& seenBy(const Hypothesis& h);
+  [[nodiscard]] Score scoreOf(const HandedIn& handed, const Seen& seen, const Read& yours) const;
+  bool decidePlaced(const HandedIn& handed, Diagnosis& d);
+  void addWhatShowsNothing(const HandedIn& handed, Diagnosis& d);
+  void decideByEdges(const HandedIn& handed, Diagnosis& d);
   void addPixel(Diagnosis& d);
 
   Picture picture_;
   PictureSettings settings_;
   OtherModel model_;
   std::map<PaintWay, std::vector<int>> faces_;
+  std::pair<const ViewMistake*, std::vector<int>> viewed_;  ///< the last view
+  std::vector<DiagnosedSample> places_;                     ///< all over the picture
+  std::map<const Hypothesis*, Seen> seen_;
   std::vector<DiagnosedSample> samples_;
   int facesSampled_ = 0;
   std::map<const Hypothesis*, std::vector<Predicted>> known_;
   std::map<std::pair<const Hypothesis*, const Hypothesis*>, std::vector<Predicted>> two_;  ///< thinned
   /// By number, thinned; of the second, in small steps.
   std::vector<std::pair<OtherNumber, std::vector<Predicted>>> numbers_, fineNumbers_;
-  std::vector<Read> reads_;  ///< by TurnWay; empty where the outlines do not fit
-  Read asHanded_;            ///< not turned
+  Read asHanded_;  ///< at samples_
   std::array<std::uint8_t, 3> ground_{};
 };
 

@@ -71,10 +71,4 @@ std::vector<int> facesShown(const SnappedScene& scene, int width, int height, Pa
   return paintedOver(scene, width, height, order);
 }
 
-std::pair<int, int> turned(TurnWay turn, int i, int j, int width, int height) {
-  if (turn == TurnWay::Mirrored || turn == TurnWay::Turned) i = width - 1 - i;
-  if (turn == TurnWay::UpsideDown || turn == TurnWay::Turned) j = height - 1 - j;
-  return {i, j};
-}
-
 }  // namespace xnewell

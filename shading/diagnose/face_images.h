@@ -1,6 +1,5 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "depthsort/order.h"
@@ -17,8 +16,5 @@ namespace xnewell {
 /// These faces, painted one over the other in this order.
 [[nodiscard]] std::vector<int> paintedOver(const SnappedScene& scene, int width, int height,
                                            const std::vector<int>& order);
-
-/// The pixel of a turned picture that shows what (i, j) shows upright, and the other way round.
-[[nodiscard]] std::pair<int, int> turned(TurnWay turn, int i, int j, int width, int height);
 
 }  // namespace xnewell

@@ -279,6 +279,7 @@ std::vector<Hypothesis> allRows() {
   addMethods(all);
   addTables(all);
   addPainting(all);
+  addViews(all);
   addNumbers(all);
   return all;
 }

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "shading/diagnose/approach.h"
+#include "shading/diagnose/other_view.h"
 #include "shading/light/mistake.h"
 #include "shading/scene/picture_settings.h"
 
@@ -25,6 +26,7 @@ struct Hypothesis {
   Meaning meaning = Meaning::Wrong;
   void (*change)(Approach&) = nullptr;                ///< what is done otherwise
   bool (*applies)(const PictureSettings&) = nullptr;  ///< null: always
+  const ViewMistake* view = nullptr;                  ///< what is done otherwise to the places
   bool (*changes)(const Light&) = nullptr;            ///< the lights that it changes; null: any, or none
 };
 

@@ -45,6 +45,7 @@ using S = PictureSettings;
 
 void addTables(std::vector<Hypothesis>& all);
 void addPainting(std::vector<Hypothesis>& all);
+void addViews(std::vector<Hypothesis>& all);
 void addNumbers(std::vector<Hypothesis>& all);
 
 }  // namespace xnewell::rows

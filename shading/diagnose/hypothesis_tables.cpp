@@ -66,22 +66,39 @@ void addTables(std::vector<Hypothesis>& all) {
 }
 
 void addPainting(std::vector<Hypothesis>& all) {
-  constexpr std::string_view order = "order", screen = "picture";
+  constexpr std::string_view order = "order";
+  all.insert(all.end(),
+             {wrong("order-none", order,
+                    "The faces are painted as they are listed: unsorted, or z is lost in the projection.",
+                    [](W& w) { w.paint = PaintWay::Listed; }),
+              wrong("order-reversed", order, "The faces are painted from front to back.",
+                    [](W& w) { w.paint = PaintWay::Reversed; }),
+              wrong("order-nearest-z", order, "The faces are sorted by their nearest z, not their farthest.",
+                    [](W& w) { w.paint = PaintWay::NearestZ; }),
+              wrong("cull-front", order, "The fronts are culled in place of the backs.",
+                    [](W& w) { w.paint = PaintWay::BacksOnly; })});
+}
+
+/// The mistakes of the viewing transformation, and those of shading in viewing coordinates.
+void addViews(std::vector<Hypothesis>& all) {
+  for (const ViewMistake& row : viewMistakes())
+    all.push_back({.key = row.key,
+                   .sentence = row.sentence,
+                   .term = "view",
+                   .meaning = row.isAllowed ? Meaning::Allowed : Meaning::Wrong,
+                   .change = [](W&) {},
+                   .view = &row});
   all.insert(
       all.end(),
-      {wrong("order-none", order, "The faces are painted as they are listed, unsorted.",
-             [](W& w) { w.paint = PaintWay::Listed; }),
-       wrong("order-reversed", order, "The faces are painted from front to back.",
-             [](W& w) { w.paint = PaintWay::Reversed; }),
-       wrong("order-nearest-z", order, "The faces are sorted by their nearest z, not their farthest.",
-             [](W& w) { w.paint = PaintWay::NearestZ; }),
-       wrong("cull-front", order, "The fronts are culled in place of the backs.",
-             [](W& w) { w.paint = PaintWay::BacksOnly; }),
-       wrong("flip-y", screen, "The picture is upside down: y of the screen runs down.",
-             [](W& w) { w.turn = TurnWay::UpsideDown; }),
-       wrong("flip-x", screen, "The picture is its mirror image.", [](W& w) { w.turn = TurnWay::Mirrored; }),
-       wrong("turned-180", screen, "The picture is turned by 180 degrees.",
-             [](W& w) { w.turn = TurnWay::Turned; })});
+      {wrong("N-not-turned", "N", "N is in the world's coordinates, but L and V are in those of the view.",
+             [](W& w) { w.normal = NormalWay::NotTurned; }),
+       wrong("N-by-M", "N", "N is transformed by the matrix itself, not by its inverse transpose.",
+             [](W& w) { w.normal = NormalWay::ByMatrix; }),
+       wrong("N-scaled", "N", "N is not made a unit vector again after the scaling S.",
+             [](W& w) { w.normal = NormalWay::Scaled; }),
+       wrong("L-not-moved", "L",
+             "The light stays in the world's coordinates where N and V are in the view's.",
+             [](W& w) { w.light = TowardsLight::NotMoved; })});
 }
 
 /// Numbers that are often other ones. They are tried only if no mistake fits.

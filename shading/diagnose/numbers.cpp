@@ -77,7 +77,6 @@ std::vector<OtherNumber> Diagnoser::likelyNumbers(bool fine) const {
 
 /// The numbers that explain the picture, best first: within kClass of the best, each once.
 std::vector<Fit> Diagnoser::numbersThatFit(bool fine) {
-  if (reads_.front().value.empty()) return {};
   auto& known = fine ? fineNumbers_ : numbers_;
   const std::size_t stride = tellsExactly() ? kThinned : 3 * kThinned;  // smooth pictures take longer
   if (known.empty())
@@ -88,7 +87,7 @@ std::vector<Fit> Diagnoser::numbersThatFit(bool fine) {
     }
   std::vector<Fit> some;
   for (const auto& [number, shown] : known) {
-    Fit one = fit(TurnWay::Upright, shown, stride);
+    Fit one = fit(shown, stride);
     one.first = &rowOfNumber(number.which), one.number = number;
     if (one.explained >= kExplainsSome) some.push_back(one);
   }
@@ -96,7 +95,7 @@ std::vector<Fit> Diagnoser::numbersThatFit(bool fine) {
   std::vector<Fit> all;
   for (const Fit& one : some) {
     if (all.size() >= kMostFullyTried || one.cost > some.front().cost + 2 * kClass) break;
-    Fit whole = fit(TurnWay::Upright, predicted(approachOf(one)));
+    Fit whole = fit(predicted(approachOf(one)));
     whole.first = one.first, whole.number = one.number;
     if (whole.explained >= kExplainsRight && isTold(whole)) all.push_back(whole);
   }

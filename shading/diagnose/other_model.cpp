@@ -4,8 +4,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 
 #include "geometry/view/screen_grid.h"
+#include "shading/diagnose/other_view.h"
 #include "shading/light/depth_shading.h"
 #include "shading/picture/scene_colors.h"
 #include "shading/scene/units.h"
@@ -36,6 +38,8 @@ OtherModel::OtherModel(const Picture& picture) : picture_{picture} {
   for (const glm::dvec3& p : points_) low = glm::min(low, p), high = glm::max(high, p);
   centre = (low + high) / 2.0;
   rotation_ = vrcRotation(camera.view);
+  const ViewSteps steps{camera, unit, picture.settings().width, picture.settings().height};
+  scaling_ = glm::dmat3{steps.S * steps.SH};
   towardsViewer_ = unitOr0(camera.view.vpn);
   pixelsHigh_ = picture.settings().height / 2.0;
   const glm::dmat4 warp = canonicalFromVrc(camera.view);
@@ -62,17 +66,57 @@ OtherModel::OtherModel(const Picture& picture) : picture_{picture} {
   };
   add(MeshMaterial{});
   for (const MeshMaterial& m : scene.mesh.materials) add(m);
-  onScreen.assign(mesh().corners.size(), std::nullopt);
-  const SnappedScene& seen = picture.snapped();
-  for (std::size_t k = 0; k < seen.vertices.size(); ++k)
-    if (seen.source[k] >= 0)
-      onScreen[seen.source[k]] = glm::dvec2{seen.vertices[k].x, seen.vertices[k].y} / double{kGrid};
   byDepth = depthIntensities(scene.mesh, picture.snapped(), camera.view);
 }
 
-double OtherModel::depth(const glm::dvec3& place) const {
-  if (picture_.camera().view.projection == Projection::Parallel) return 1.0;
-  return glm::dot(eye - place, towardsViewer_);
+const OtherModel::Places& OtherModel::placesOf(const ViewMistake* view) {
+  const auto [at, isNew] = places_.try_emplace(view);
+  Places& places = at->second;
+  if (!isNew) return places;
+  const PictureSettings& settings = picture_.settings();
+  const std::size_t corners = mesh().corners.size();
+  places.onScreen.resize(corners), places.depth.assign(corners, 1.0);
+  if (view) {
+    const OtherView other{*view, picture_.camera(), unit, settings.width, settings.height};
+    for (std::size_t k = 0; k < corners; ++k) {
+      const Placed p = other.placed(place(static_cast<int>(k)));
+      if (p.shows) places.onScreen[k] = p.at;
+      places.depth[k] = p.w;
+    }
+    return places;
+  }
+  const SnappedScene& seen = picture_.snapped();
+  for (std::size_t k = 0; k < seen.vertices.size(); ++k)
+    if (seen.source[k] >= 0)
+      places.onScreen[seen.source[k]] = glm::dvec2{seen.vertices[k].x, seen.vertices[k].y} / double{kGrid};
+  if (picture_.camera().view.projection == Projection::Perspective)
+    for (std::size_t k = 0; k < corners; ++k)
+      places.depth[k] = glm::dot(eye - place(static_cast<int>(k)), towardsViewer_);
+  return places;
+}
+
+glm::dvec3 OtherModel::notMoved(const glm::dvec3& place, bool far, const glm::dvec3& P) const {
+  const glm::dvec3 turned = glm::transpose(rotation_) * place;
+  return far ? turned : turned - (P - eye);
+}
+
+/// What becomes of a normal in other coordinates.
+glm::dvec3 OtherModel::mapped(NormalWay way, const glm::dvec3& N) const {
+  const glm::dmat3 back = glm::transpose(rotation_);
+  switch (way) {
+    case NormalWay::InViewing:
+      return rotation_ * N;
+    case NormalWay::NotTurned:
+      return back * N;
+    case NormalWay::ByMatrix:
+      return unitOr0(back * (scaling_ * (rotation_ * N)));
+    case NormalWay::Scaled:
+      return back * (glm::inverse(glm::transpose(scaling_)) * (rotation_ * N));
+    case NormalWay::Inward:
+      return -N;
+    default:
+      return N;
+  }
 }
 
 bool OtherModel::isBack(int face) const {
@@ -124,9 +168,7 @@ glm::dvec3 OtherModel::faceNormal(int face, NormalWay way, int from) const {
   for (std::size_t k = 1; k + 1 < corners.size(); ++k)
     sum += product(corners[0], corners[k], corners[k + 1], way);
   if (way == NormalWay::Newell) return sum;
-  sum = unitOr0(sum);
-  if (way == NormalWay::InViewing) return rotation_ * sum;
-  return way == NormalWay::Inward ? -sum : sum;
+  return mapped(way, unitOr0(sum));
 }
 
 std::vector<glm::dvec3> OtherModel::makeCornerNormals(VertexWay vertex, NormalWay normal) const {
@@ -185,10 +227,7 @@ std::vector<glm::dvec3> OtherModel::makeCornerNormals(VertexWay vertex, NormalWa
       for (int c = mesh().firstCorner[f]; c < mesh().firstCorner[f + 1]; ++c)
         ofCorner[c] = vertex == VertexWay::OwnFace ? faceNormal(f, base) : sums[mesh().corners[c]];
   }
-  for (glm::dvec3& N : ofCorner) {
-    if (normal == NormalWay::InViewing) N = rotation_ * N;
-    if (normal == NormalWay::Inward) N = -N;
-  }
+  for (glm::dvec3& N : ofCorner) N = mapped(normal, N);
   return ofCorner;
 }
 

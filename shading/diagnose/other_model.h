@@ -37,9 +37,6 @@ class OtherModel {
   [[nodiscard]] bool isBack(int face) const;
   /// The faces at each point.
   [[nodiscard]] const std::vector<std::vector<int>>& facesAt() const { return facesAt_; }
-  /// The distance from the eye along the viewing direction; 1 in a parallel view.
-  [[nodiscard]] double depth(const glm::dvec3& place) const;
-
   // In the units of the file.
   glm::dvec3 eye{0}, lookAt{0}, centre{0};
   std::vector<Light> lights;  ///< places in the file's units; range and c in the scene's
@@ -51,18 +48,29 @@ class OtherModel {
   bool ramps = false;      ///< each hue has a ramp of its own (ColorPlan::Hues)
   /// By material, the first is for faces without one; by channel.
   std::vector<std::array<Reflection, 3>> surface;
-  std::vector<std::optional<glm::dvec2>> onScreen;  ///< of each corner in view, in pixels
-  std::vector<double> byDepth;                      ///< of each snapped face, for shading by depth
+  /// Where the corners are: in pixels if they are in view, and their distance from the eye along the viewing
+  /// direction (1 in a parallel view).
+  struct Places {
+    std::vector<std::optional<glm::dvec2>> onScreen;
+    std::vector<double> depth;
+  };
+  /// By a view; null for that of the picture.
+  [[nodiscard]] const Places& placesOf(const ViewMistake* view);
+  /// A light's place, not moved where all else is in viewing coordinates: seen from P, in the world.
+  [[nodiscard]] glm::dvec3 notMoved(const glm::dvec3& place, bool far, const glm::dvec3& P) const;
+  std::vector<double> byDepth;  ///< of each snapped face, for shading by depth
 
  private:
   [[nodiscard]] std::vector<glm::dvec3> makeCornerNormals(VertexWay vertex, NormalWay normal) const;
+  [[nodiscard]] glm::dvec3 mapped(NormalWay way, const glm::dvec3& N) const;
   [[nodiscard]] glm::dvec3 product(int a, int b, int c, NormalWay way) const;
 
   const Picture& picture_;
   std::vector<glm::dvec3> points_, warped_;  ///< #points: in file units; after projection
   std::vector<double> deep_;  ///< z of each point along the viewing direction, larger is nearer
   std::vector<std::vector<int>> facesAt_;
-  glm::dmat3 rotation_{1.0};
+  glm::dmat3 rotation_{1.0}, scaling_{1.0};  ///< to VRC; there, by S SH
+  std::map<const ViewMistake*, Places> places_;
   glm::dvec3 towardsViewer_{0};
   double pixelsHigh_ = 1;
   std::map<std::pair<VertexWay, NormalWay>, std::vector<glm::dvec3>> cornerNormals_;

@@ -70,6 +70,7 @@ TableSettings tableOf(const Approach& way, TableSettings table) {
 OtherProgram::OtherProgram(OtherModel& model, const Approach& way)
     : model_{model},
       way_{way},
+      places_{model.placesOf(way.view)},
       table_{tableOf(way, model.picture().settings().table)},
       faces_(2 * static_cast<std::size_t>(model.mesh().faceCount())),
       corners_(2 * model.mesh().corners.size()) {}
@@ -114,6 +115,7 @@ void OtherProgram::addLight(LitPlace& sum, const Light& light, const glm::dvec3&
   if (far && way_.light == TowardsLight::DirectionAsPlace) towards = place - P;
   if (!far && way_.light == TowardsLight::PlaceAsDirection) towards = place;
   if (!far && way_.light == TowardsLight::FarPlace) towards = place, d = glm::length(place);
+  if (way_.light == TowardsLight::NotMoved) towards = model_.notMoved(place, far, P);
   const glm::dvec3 unitL = unitVector(towards);
   glm::dvec3 L = way_.light == TowardsLight::NotUnit ? towards : unitL;
   if (way_.light == TowardsLight::Away) L = -L;
@@ -281,8 +283,7 @@ LitPlace OtherProgram::alongRow(const SnappedFace& face, int i, int j, bool clam
   std::vector<Crossing> ends;
   for (int k = 0; k < face.count; ++k) {
     const int a = face.first + k, b = face.first + (k + 1) % face.count;
-    const glm::dvec2 p{scene.vertices[a].x / double{kGrid}, scene.vertices[a].y / double{kGrid}};
-    const glm::dvec2 q{scene.vertices[b].x / double{kGrid}, scene.vertices[b].y / double{kGrid}};
+    const glm::dvec2 p = *places_.onScreen[scene.source[a]], q = *places_.onScreen[scene.source[b]];
     if ((p.y <= y) == (q.y <= y)) continue;
     const double t = (y - p.y) / (q.y - p.y);
     const LitPlace &A = atCorner(face.number, scene.source[a], face.back),
@@ -305,8 +306,8 @@ LitPlace OtherProgram::alongRow(const SnappedFace& face, int i, int j, bool clam
 LitPlace OtherProgram::phong(const SnappedFace& face, const InTriangle& in) {
   const std::vector<glm::dvec3>& normals = model_.cornerNormals(way_.vertex, way_.normal);
   const auto& weights = way_.onScreen || way_.longNormals ? in.onScreen : in.inWorld;
-  const bool isLong =
-      way_.longNormals || way_.normal == NormalWay::Newell || way_.normal == NormalWay::CornerProduct;
+  const bool isLong = way_.longNormals || way_.normal == NormalWay::Newell ||
+                      way_.normal == NormalWay::CornerProduct || way_.normal == NormalWay::Scaled;
   glm::dvec3 P{0.0}, N{0.0};
   for (int k = 0; k < 3; ++k) {
     P += (way_.onScreen ? in.onScreen : in.inWorld)[k] * model_.place(in.corner[k]);
@@ -327,7 +328,8 @@ double OtherProgram::intensity(const LitPlace& place, const std::array<double, 3
 
 bool OtherProgram::isWhole(const SnappedFace& f) const {
   const auto source = model_.snapped().source.begin() + f.first;
-  return std::all_of(source, source + f.count, [](int corner) { return corner >= 0; });
+  return std::all_of(source, source + f.count,
+                     [&](int corner) { return corner >= 0 && places_.onScreen[corner]; });
 }
 
 bool OtherProgram::canShow(int face) const {
@@ -514,7 +516,7 @@ std::vector<int> OtherProgram::fanOf(const SnappedFace& face) const {
   std::vector<int> corners;
   const int first = mesh.firstCorner[face.number], end = mesh.firstCorner[face.number + 1];
   if (way_.otherDiagonal && face.count == 3 && end - first == 4)
-    for (int c = first; c < end && model_.onScreen[c]; ++c) corners.push_back(c);
+    for (int c = first; c < end && places_.onScreen[c]; ++c) corners.push_back(c);
   if (corners.size() != 4) {
     corners.clear();
     for (int k = 0; k < face.count; ++k) corners.push_back(scene.source[face.first + k]);
@@ -533,8 +535,8 @@ OtherProgram::InTriangle OtherProgram::triangle(const SnappedFace& face, int i, 
     const std::array<int, 3> corner{fan[0], fan[k], fan[k + 1]};
     std::array<double, 3> area{};
     for (int e = 0; e < 3; ++e) {
-      const glm::dvec2 a = *model_.onScreen[corner[(e + 1) % 3]] - at,
-                       b = *model_.onScreen[corner[(e + 2) % 3]] - at;
+      const glm::dvec2 a = *places_.onScreen[corner[(e + 1) % 3]] - at,
+                       b = *places_.onScreen[corner[(e + 2) % 3]] - at;
       area[e] = a.x * b.y - a.y * b.x;
     }
     const double whole = area[0] + area[1] + area[2];
@@ -546,7 +548,7 @@ OtherProgram::InTriangle OtherProgram::triangle(const SnappedFace& face, int i, 
     best.onScreen = area, best.corner = corner;
     double sum = 0.0;
     for (int e = 0; e < 3; ++e) {
-      best.inWorld[e] = area[e] / model_.depth(model_.place(corner[e]));
+      best.inWorld[e] = area[e] / places_.depth[corner[e]];
       sum += best.inWorld[e];
     }
     for (double& w : best.inWorld) w /= sum;

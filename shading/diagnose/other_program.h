@@ -79,6 +79,7 @@ class OtherProgram {
 
   OtherModel& model_;
   Approach way_;
+  const OtherModel::Places& places_;
   ColorTable table_;
   std::array<Reflection, 3> none_{};
   std::vector<std::optional<LitPlace>> faces_, corners_;  ///< by 2 k, and 2 k + 1 for the back

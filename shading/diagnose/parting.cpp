@@ -9,51 +9,19 @@ namespace xnewell {
 
 /// The pixel that tells two mistakes apart.
 
-std::optional<Diagnoser::Predicted> Diagnoser::atPixel(OtherProgram& program, const Approach& way,
-                                                       std::size_t k) {
-  const auto [i, j] = turned(way.turn, samples_[k].i, samples_[k].j, settings_.width, settings_.height);
-  const int face = facesOf(way.paint)[static_cast<std::size_t>(j) * settings_.width + i];
-  if (face != kNothing && !program.canShow(face)) return std::nullopt;
-  if (face != kNothing) return Predicted{program.at(face, i, j)};
-  Predicted ground;
-  ground.shows = false;
-  return ground;
-}
-
-std::vector<Diagnoser::Predicted> Diagnoser::atPixels(const Approach& way) {
-  std::vector<Predicted> all = predicted(way);
-  if (way.turn == TurnWay::Upright) return all;
-  OtherProgram program{model_, way};
-  Predicted unknown;
-  unknown.shows = false;
-  for (std::size_t k = 0; k < samples_.size(); ++k) all[k] = atPixel(program, way, k).value_or(unknown);
-  return all;
-}
-
-/// What a row shows at the pixel of each sample, as far as a face or the ground is all around it.
+/// What a row shows at each sample, as far as a face or the ground is all around it.
 std::vector<std::optional<Diagnoser::Predicted>> Diagnoser::insideFaces(const Hypothesis& h) {
+  const std::vector<Predicted>& shown = known(h);
   const Approach way = approachWith(h);
-  const std::vector<int>& faces = facesOf(way.paint);
-  const int w = settings_.width;
-  const auto isInside = [&](int i, int j) {
-    for (int y = -1; y <= 1; ++y)
-      for (int x = -1; x <= 1; ++x)
-        if (faces[static_cast<std::size_t>(j + y) * w + i + x] != faces[static_cast<std::size_t>(j) * w + i])
-          return false;
-    return true;
-  };
+  const std::vector<int>& faces = facesOf(way);
+  const OtherProgram program{model_, way};
   std::vector<std::optional<Predicted>> all;
   all.reserve(samples_.size());
-  OtherProgram program{model_, way};
   for (std::size_t k = 0; k < samples_.size(); ++k) {
-    const auto [i, j] = turned(way.turn, samples_[k].i, samples_[k].j, w, settings_.height);
-    const int face = faces[static_cast<std::size_t>(j) * w + i];
-    if (!isInside(i, j) || (face != kNothing && !program.canShow(face)))
-      all.emplace_back();
-    else if (way.turn == TurnWay::Upright)
-      all.emplace_back(known(h)[k]);
-    else
-      all.push_back(atPixel(program, way, k));
+    const int face = faces[indexOf(samples_[k].i, samples_[k].j)];
+    const bool isKnown =
+        isInside(faces, samples_[k].i, samples_[k].j) && (face == kNothing || program.canShow(face));
+    all.push_back(isKnown ? std::optional{shown[k]} : std::nullopt);
   }
   return all;
 }

@@ -1,4 +1,5 @@
 #include "tests/support/student.h"
+#include "tests/support/student_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,12 @@ class Drawing {
   }
 
   Result make() {
+    if (p_.byMatrices) {
+      Result drawn = drawByMatrices(w_, p_, [&](int f) { return cellOf(flatOf(f)); });
+      drawn.held = held_;
+      for (const int cell : drawn.cell) drawn.red.push_back(cell == 0 ? std::uint8_t{40} : held_[cell]);
+      return drawn;
+    }
     Result r{p_.width, p_.height, {}, {}, held_};
     const std::size_t pixels = static_cast<std::size_t>(p_.width) * p_.height;
     r.cell.assign(pixels, 0), r.red.assign(pixels, 40);
@@ -110,7 +117,7 @@ class Drawing {
       if (!has("N-not-unit")) N = unitOf(N);
       if (has("N-in-view-coords")) N = {dotOf(N, u_), dotOf(N, v_), dotOf(N, n_)};
       if (has("N-inward")) N = times(-1, N);
-      normal_[f] = N;
+      normal_[f] = p_.byMatrices ? normalInView(w_, p_, N) : N;
       for (std::size_t k = 0; k < face.size(); ++k) {
         at_[face[k]].push_back(f), ++counts[face[k]];
         if (has("VN-last-face"))
@@ -208,6 +215,7 @@ class Drawing {
       if (!has("f-above-1")) f = std::min(1.0, f);
       if (has("f-forgotten")) f = 1;
     }
+    if (has("L-not-moved")) to = lightInView(w_, p_, w_.light, P);
     Triple L = has("L-not-unit") ? to : unitOf(to);
     if (has("L-sign")) L = times(-1, L);
     Triple V = minus(w_.eye, P);

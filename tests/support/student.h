@@ -24,7 +24,10 @@ struct World {
   std::vector<std::vector<int>> faces;
   std::vector<Surface> surfaces;  ///< of each face
   Triple eye{}, at{}, up{0, 0, 1};
-  double fov = 30;    ///< degrees, of the height
+  double fov = 30;  ///< degrees, of the height
+  /// For Program::byMatrices: the window's centre, in half heights of it; the planes, as distances.
+  std::array<double, 2> shift{};
+  double front = 0.1, back = 100;
   Triple light{};     ///< a place, or a direction to the light
   bool lamp = false;  ///< a place; its light fades by min(1, 1/d^2)
   double Ia = 0.2, Ip = 0.7;
@@ -38,9 +41,10 @@ struct Program {
   /// What the program computes once it uses twice: N.L with its mistake also in R and to ask for a highlight,
   /// V also to turn N, r also to find a cell.
   bool flows = false;
-  double I0 = 0.02;      ///< of the corrected table
-  bool half = false;     ///< corners half a pixel off
-  bool zbuffer = false;  ///< else sorted by far z, or by mean z with the variant "zmean"
+  double I0 = 0.02;         ///< of the corrected table
+  bool byMatrices = false;  ///< student_view.h; flat, with exact edges
+  bool half = false;        ///< corners half a pixel off
+  bool zbuffer = false;     ///< else sorted by far z, or by mean z with the variant "zmean"
   int width = 640, height = 480;
 };
 

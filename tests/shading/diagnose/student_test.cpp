@@ -42,7 +42,7 @@ class Students {
     for (std::size_t k = 0; k < right.size(); ++k)
       if (right[k].shows != other[k].shows || std::abs(right[k].value[0] - other[k].value[0]) > most)
         return false;
-    return !key.starts_with("flip") && !key.starts_with("turned");
+    return true;
   }
 
   /// The keys that the student can plant here.
@@ -51,10 +51,12 @@ class Students {
     // hide which it is.
     static const std::set<std::string_view> kNotPlanted{
         "by-rows",      "VN-sum",       "VN-distinct",  "VN-angle",          "VN-patch",
-        "stores-255-I", "stores-256-I", "stores-gamma", "table-8-bit-in-16", "I-whole"};
+        "stores-255-I", "stores-256-I", "stores-gamma", "table-8-bit-in-16", "I-whole",
+        "N-not-turned", "N-by-M",       "N-scaled",     "L-not-moved"};
     std::vector<std::string> all;
     std::set<std::string_view> seen;
     for (const Hypothesis& h : hypotheses()) {
+      if (h.view) continue;  // view_test.cpp
       const bool lamps = h.key.starts_with("f-") || h.key == "L-place-as-direction";
       const bool here = world_.lamp ? h.key != "L-direction-as-place" && h.key != "f-1/d2" : !lamps;
       if (h.meaning == meaning && here && (!h.applies || h.applies(settings_)) &&
@@ -163,8 +165,9 @@ TEST(Diagnose, AccusesNoRightPicture) {
       keys.emplace_back("");
       for (const std::string& key : keys)
         for (const bool half : {false, true}) {
-          EXPECT_TRUE(isRight(students.diagnosed({.variant = key, .half = half, .zbuffer = half})))
-              << scene << ' ' << rowOf(method).name << ' ' << key << ' ' << half;
+          const Diagnosis d = students.diagnosed({.variant = key, .half = half, .zbuffer = half});
+          EXPECT_TRUE(isRight(d)) << scene << ' ' << rowOf(method).name << ' ' << key << ' ' << half << ' '
+                                  << (d.found.empty() ? "" : d.found[0].first->key);
         }
       if (method != Shading::Flat) continue;
       student::Program program{.variant = "zmean"};
@@ -251,7 +254,7 @@ TEST(Diagnose, LooksAtOutlinesFirst) {
   std::ranges::fill(empty.picture.rgb, std::uint8_t{0});
   const Diagnosis black = diagnoser(empty);
   EXPECT_TRUE(black.isBlack);
-  EXPECT_TRUE(black.found.empty());
+  EXPECT_TRUE(std::ranges::all_of(black.found, [](const Fit& f) { return f.first->view != nullptr; }));
 }
 
 // Other numbers are told as numbers: twice the n, y and z of the light swapped.

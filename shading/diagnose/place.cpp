@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "depthsort/oracle.h"
+#include "shading/diagnose/diagnose.h"
+
+namespace xnewell {
+
+/// Mistakes of the viewing transformation: faces lie elsewhere.
+
+namespace {
+
+constexpr double kPlaced = 0.9;         ///< of the places where a face shows in either picture
+constexpr double kPlacedTwo = 0.93;     ///< the same, for two rows at once
+constexpr double kOutlinesOnly = 0.95;  ///< of the outlines, before a row of shading is tried with a view
+constexpr std::size_t kMostPlaces = 12'000, kMostViews = 4;
+constexpr double kOfFewFaces = 0.97;  ///< where kFewFaces show or less
+constexpr int kFewPlaces = 30, kManyPlaces = 200, kFewFaces = 3;
+
+}  // namespace
+
+const Diagnoser::Seen& Diagnoser::seenBy(const Hypothesis& h) {
+  const int w = settings_.width, height = settings_.height;
+  if (places_.empty()) {
+    const int step = std::max(1, static_cast<int>(std::sqrt(double(w) * height / kMostPlaces)));
+    for (int j = 1; j + 1 < height; j += step)
+      for (int i = 1; i + 1 < w; i += step) places_.push_back({i, j, 0});
+  }
+  const auto [at, isNew] = seen_.try_emplace(&h);
+  if (!isNew) return at->second;
+  const Approach way = approachWith(h);
+  const std::vector<int>& faces = facesOf(way);
+  OtherProgram program{model_, way};
+  for (const DiagnosedSample& s : places_) {
+    const int face = faces[indexOf(s.i, s.j)];
+    const bool isKnown = isInside(faces, s.i, s.j) && (face == kNothing || program.canShow(face));
+    at->second.face.push_back(isKnown ? face : kEdge);
+    at->second.shown.push_back(isKnown && face != kNothing ? predictedAt(program, s, face) : Predicted{});
+  }
+  return at->second;
+}
+
+/// How much of what either picture shows is the same. The ground is the commonest colour beside the faces.
+Diagnoser::Score Diagnoser::scoreOf(const HandedIn& handed, const Seen& seen, const Read& yours) const {
+  using Color = std::array<std::uint8_t, 3>;
+  const auto colorAt = [&](std::size_t k) {
+    const std::uint8_t* const p = handed.picture.pixel(places_[k].i, places_[k].j);
+    return Color{p[0], p[1], p[2]};
+  };
+  std::map<Color, std::size_t> beside;
+  for (std::size_t k = 0; k < seen.face.size(); ++k)
+    if (seen.face[k] == kNothing) ++beside[colorAt(k)];
+  std::optional<Color> ground;
+  if (!beside.empty())
+    ground = std::ranges::max_element(beside, {}, [](const auto& c) { return c.second; })->first;
+  if (ground && beside[*ground] * 100 < seen.face.size()) ground.reset();
+  Score score;
+  std::set<int> faces;
+  int hits = 0, both = 0;
+  for (std::size_t k = 0; k < seen.face.size(); ++k) {
+    if (seen.face[k] == kEdge) continue;
+    const bool theirs = !ground || colorAt(k) != *ground, ours = seen.face[k] != kNothing;
+    if (!ours && (!theirs || !ground)) continue;
+    ++score.counted, both += ours && theirs;
+    if (!ours || apart(yours, k, seen.shown[k]) > tolerance()) continue;
+    ++hits, faces.insert(seen.face[k]);
+  }
+  const double share = score.counted > 0 ? 1.0 / score.counted : 0.0;
+  score.share = hits * share, score.overlap = both * share, score.faces = static_cast<int>(faces.size());
+  return score;
+}
+
+/// The rows of the view that put the faces where the picture has them: with the right shades; or with one of
+/// the other rows, where the outlines fit.
+bool Diagnoser::decidePlaced(const HandedIn& handed, Diagnosis& d) {
+  const Hypothesis& right = hypotheses().front();
+  const Seen& rightly = seenBy(right);  // finds the places
+  const Read yours = read(handed, places_, false);
+  const double least = scoreOf(handed, rightly, yours).share + 0.02;
+  std::vector<std::pair<Score, Fit>> views, pairs;
+  for (const Hypothesis& h : hypotheses())
+    if (h.view && !h.view->isSmall()) {
+      const Score score = scoreOf(handed, seenBy(h), yours);
+      Fit fit{.first = &h, .cost = 1.0 - score.share, .explained = score.share, .telling = score.counted};
+      fit.informative = score.share, fit.faces = score.faces;
+      views.emplace_back(score, fit);
+    }
+  const auto isFound = [&](const std::pair<Score, Fit>& one, double share) {
+    const Score& score = one.first;
+    if (score.share < share || score.share <= least || score.counted < kFewPlaces) return false;
+    // Of one face, its outline tells.
+    const bool hasOutline = score.counted < 0.95 * static_cast<double>(places_.size());
+    return score.faces >= kFewFaces ||
+           (score.share >= kOfFewFaces && score.counted >= kManyPlaces && (score.faces > 1 || hasOutline));
+  };
+  const auto name = [&](std::vector<std::pair<Score, Fit>>& all, double share) {
+    std::ranges::stable_sort(all, {}, [](const auto& one) { return one.second.cost; });
+    std::set<std::pair<std::string_view, std::string_view>> names;
+    std::vector<Fit> found;
+    for (const auto& one : all)
+      if (isFound(one, share) && one.second.cost <= all.front().second.cost + kClass &&
+          names.insert({one.second.first->key, one.second.second ? one.second.second->key : ""}).second)
+        found.push_back(one.second);
+    if (found.empty() || found.size() > 6) return false;
+    d.found = found;
+    d.verdict = found.size() > 1 ? Marking::OneOf : Marking::Mistake;
+    addPixel(d);
+    return true;
+  };
+  if (name(views, kPlaced)) return true;
+  std::ranges::stable_sort(views, {}, [](const auto& one) { return -one.first.overlap; });
+  for (std::size_t k = 0; k < std::min(views.size(), kMostViews); ++k) {
+    if (views[k].first.overlap < kOutlinesOnly) continue;
+    const Hypothesis& view = *views[k].second.first;
+    for (const Hypothesis& h : hypotheses()) {
+      if (h.view || (h.meaning != Meaning::Wrong && h.meaning != Meaning::Allowed) || !applies(h)) continue;
+      Seen seen = seenBy(view);
+      const Approach way = approachWith(view, &h);
+      if (way.paint != PaintWay::Nearest) continue;
+      OtherProgram program{model_, way};
+      for (std::size_t p = 0; p < places_.size(); ++p)
+        if (seen.face[p] >= 0) seen.shown[p] = predictedAt(program, places_[p], seen.face[p]);
+      const Score score = scoreOf(handed, seen, yours);
+      Fit fit{.first = &view, .second = &h, .cost = 1.0 - score.share, .explained = score.share};
+      fit.telling = score.counted, fit.informative = score.share, fit.faces = score.faces;
+      pairs.emplace_back(score, fit);
+    }
+  }
+  return name(pairs, kPlacedTwo);
+}
+
+/// Of a picture of one colour, the views that put no face into it, or one all over it.
+void Diagnoser::addWhatShowsNothing(const HandedIn& handed, Diagnosis& d) {
+  std::set<std::string_view> keys;
+  for (const Hypothesis& h : hypotheses()) {
+    if (!h.view) continue;
+    const Seen& seen = seenBy(h);
+    const Read yours = read(handed, places_, false);
+    const auto shows = [](int face) { return face >= 0; };
+    bool isSame = std::ranges::none_of(seen.face, shows);
+    if (std::ranges::all_of(seen.face, [](int face) { return face != kNothing; })) {
+      isSame = true;
+      for (std::size_t k = 0; k < places_.size() && isSame; ++k)
+        isSame = !shows(seen.face[k]) || apart(yours, k, seen.shown[k]) <= tolerance();
+    }
+    if (isSame && keys.insert(h.key).second) d.found.push_back({.first = &h});
+  }
+}
+
+/// A picture that is right inside faces may lie less than a pixel off, and only the edges of faces tell.
+void Diagnoser::decideByEdges(const HandedIn& handed, Diagnosis& d) {
+  constexpr double kMost = 0.9, kAlmostAll = 0.98, kMoreThanHalf = 0.04;
+  const Approach right = approachOf(d.found.front());
+  const std::vector<int> exact = facesOf(right);
+  OtherProgram rightly{model_, right};
+  const Fit base = d.found.front();
+  double best = kMost;
+  for (const Hypothesis& h : hypotheses()) {
+    if (!h.view || !h.view->isSmall()) continue;
+    const Approach way = approachWith(h, base.first);
+    const std::vector<int>& faces = facesOf(way);
+    OtherProgram program{model_, way};
+    int counted = 0, ours = 0, theirs = 0;
+    for (int j = 1; j + 1 < settings_.height; ++j)
+      for (int i = 1; i + 1 < settings_.width; ++i) {
+        const int a = exact[indexOf(i, j)], b = faces[indexOf(i, j)];
+        if (a == b || (a != kNothing && !rightly.canShow(a)) || (b != kNothing && !program.canShow(b)))
+          continue;
+        const DiagnosedSample s{i, j, 0};
+        const Read yours = read(handed, {&s, 1}, false);
+        Predicted nothing;
+        nothing.shows = false;
+        const double fromRight = apart(yours, 0, a == kNothing ? nothing : predictedAt(rightly, s, a)),
+                     fromOther = apart(yours, 0, b == kNothing ? nothing : predictedAt(program, s, b));
+        if ((fromRight <= tolerance()) == (fromOther <= tolerance())) continue;
+        ++counted, (fromOther <= tolerance() ? ours : theirs) += 1;
+      }
+    const double share = counted > 0 ? static_cast<double>(ours) / counted : 0.0;
+    // Half a pixel is allowed, and not far from a viewport that is too small.
+    const double most = h.meaning == Meaning::Allowed ? best : std::max(kAlmostAll, best + kMoreThanHalf);
+    if (counted < 2 * kFewPlaces || share <= most) continue;
+    best = share;
+    Fit fit{.first = &h, .explained = base.explained, .telling = counted, .informative = share};
+    if (base.first->meaning == Meaning::Allowed) fit.second = base.first;
+    d.found = {fit};
+    d.verdict = h.meaning == Meaning::Allowed ? Marking::Allowed : Marking::Mistake;
+  }
+}
+
+}  // namespace xnewell
