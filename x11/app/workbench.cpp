@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "geometry/exact/give_up.h"
-#include "shading/explain/pixel_place.h"
+#include "shading/laboratory/exactness.h"
 #include "x11/pixel/pixel_view.h"
 #include "x11/scanline/scanline_view.h"
 #include "x11/sides/side_by_side_view.h"
@@ -98,7 +98,7 @@ void Workbench::takeNextScale() {
 
 void Workbench::teach(Lesson lesson, int step) {
   switchTo(View::Lesson);
-  came_.reset();
+  came_.clear();
   lessons_->start(std::move(lesson));
   if (step > 0) lessons_->goTo(step);
 }
@@ -114,6 +114,7 @@ void Workbench::begin(const Options& options, std::optional<Lesson> lesson) {
 
 void Workbench::begin(Work work) {
   bench().drop();
+  for (const auto& one : benches_) one->reset();
   work_ = std::move(work);
   shown_.reset();
 }
@@ -148,10 +149,12 @@ void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
 }
 
 void Workbench::switchTo(View view) {
+  constexpr std::size_t kMost = 50;
   if (view_ == view) return;
+  came_.push_back(isDrawn() ? place() : WindowPlace{.view = view_});
+  if (came_.size() > kMost) came_.erase(came_.begin());
   bench().leave();
-  came_ = view_;
-  if (view_ == View::Lesson && !before_) came_.reset();  // who left it for good does not go back
+  if (view_ == View::Lesson && !before_) came_.clear();  // who left it for good does not go back
   view_ = view;
   layOut();
   bench().enter();
@@ -173,8 +176,50 @@ void Workbench::goTo(const WindowPlace& place) {
   if (place.view == View::Viewing) viewing_->begin(place.step, place.vertex.value_or(""));
   sides_->begin(place.beside, place.difference);
   switchTo(place.view);
-  came_.reset();
+  came_.clear();
   layOut();
+}
+
+void Workbench::goBack() {
+  std::vector<WindowPlace> before = std::move(came_);
+  const WindowPlace to = before.empty() ? WindowPlace{.view = View::Lesson} : before.back();
+  if (!before.empty()) before.pop_back();
+  switchTo(to.view);
+  came_ = std::move(before);
+  // Other views stay where they were.
+  if (to.view == View::DepthSort) stepper_->startAt(to.step);
+  if (to.view == View::Pixel && to.pixel && *to.pixel != pixel_->pixel()) pixel_->choose(*to.pixel);
+}
+
+void Workbench::follow(const Pointed& link) {
+  const Picture shown = work_.pictures.make(picture().settings(), plan()[Cell::Well]);
+  const int width = shown.settings().width;
+  const auto explainFirst = [&](const auto& samples, const auto& wanted, const std::string& none) {
+    const auto first = std::ranges::find_if(samples, wanted);
+    if (first == std::ranges::end(samples)) return notify(none);
+    const auto at = static_cast<int>(first - std::ranges::begin(samples));
+    explain((at % width + 0.5) / width, (at / width + 0.5) / shown.settings().height);
+  };
+  switch (link.lead) {
+    case Lead::Cut:
+      stepper_->startAt(Landmark::Cut);
+      return switchTo(View::DepthSort);
+    case Lead::Clamped: {
+      const std::vector<double> I = shown.intensities(shown.seen(0, shown.settings().height));
+      return explainFirst(
+          I, [](double one) { return one >= 1.0; },
+          "No pixel shows it: what is clamped is at a vertex or a side that is hidden.");
+    }
+    case Lead::Wrong:
+      return explainFirst(checkedSamples(shown), isWrong, "No sample of this picture shows a wrong face.");
+    case Lead::Cell:
+      if (view() != View::Colors) return colors_->choose(link.number), switchTo(View::Colors);
+      return explainFirst(
+          shown.image().pixels, [&](int cell) { return cell == link.number; },
+          "No sample of this picture shows cell " + std::to_string(link.number) + ".");
+    case Lead::None:
+      return;
+  }
 }
 
 WindowPlace Workbench::place() const {
@@ -193,12 +238,6 @@ WindowPlace Workbench::place() const {
 
 void Workbench::explain(double x, double y) {
   pixel_->choose(x, y);
-  if (shown_) {  // in view 8 the place has another pixel
-    const PictureSettings& settings = picture().settings();
-    const auto place =
-        placeSeen(picture(), static_cast<int>(x * settings.width), static_cast<int>(y * settings.height));
-    if (place) pixel_->choose(*place);
-  }
   switchTo(View::Pixel);
 }
 
@@ -227,16 +266,26 @@ void Workbench::tick() {
 }
 
 Subject Workbench::subject() const {
-  const Rect at = bench().picture(layout_);
+  const Rect at = bench().frame(layout_);
   return {scene(), work_.centre, static_cast<double>(at.width) / std::max(1, at.height)};
 }
 
 bool Workbench::grab(int x, int y) {
-  if (isDrawn())
-    for (const CapPlace& cap : caps_)
-      if (cap.place.has(x / layout_.unit, y / layout_.unit)) return press(Key{cap.key}), false;
+  if (const std::optional<Pointed> at = pressableAt(x / layout_.unit, y / layout_.unit)) {
+    if (at->key) {
+      press(*at->key);
+      bench().release(at->key->letter);
+    } else if (at->gesture) {
+      notify("This is done with the pointer itself, in the picture.");
+    } else {
+      notice_.clear(), told_.clear(), pointed_.reset();
+      follow(*at);
+    }
+    return false;
+  }
   notice_.clear();
   told_.clear();
+  pointed_.reset();
   help_ = false;
   if (lecture_) lecture_->wait();
   line_.cancel();
@@ -247,8 +296,25 @@ bool Workbench::grab(int x, int y) {
   return bench().grab(x, y);
 }
 
+std::optional<Pointed> Workbench::pressableAt(int x, int y) {
+  if (!isDrawn()) return {};
+  std::optional<Pointed> at = pointedAt(writing_, x, y);
+  if (!at || (!at->key && !at->gesture && at->lead == Lead::None)) return {};
+  const bool inBody = layout_.roomy && y > layout_.views.height && y < layout_.strip.y && !help_;
+  if (inBody && bench().list().has(x, y)) return {};
+  if (at->lead != Lead::None && (view() == View::Lesson || help_ || line_.isOpen())) return {};
+  return at;
+}
+
 void Workbench::hover(int x, int y) {
-  if (!line_.isOpen() && isDrawn()) bench().hover(x / layout_.unit, y / layout_.unit);
+  if (!isDrawn()) return;
+  x /= layout_.unit, y /= layout_.unit;
+  if (!line_.isOpen()) bench().hover(x, y);
+  pointed_ = pressableAt(x, y);
+  if (pointed_ || help_) return;
+  pointed_ = pointedAt(writing_, x, y);
+  if (pointed_ && pointed_->says.empty()) pointed_.reset();
+  if (pointed_) pointed_->key.reset(), pointed_->lead = Lead::None;
 }
 
 void Workbench::settle() {
@@ -273,8 +339,8 @@ void Workbench::zoom(double factor) {
 Workbench::Indices Workbench::indices() const {
   Setup painted = this->painted();
   painted.picture = withoutColors(painted.picture);
-  return {view(), width_,        height_, layout_.unit,   painted, notice_,
-          told_,  line_.typed(), help_,   layout_.drawer, few_,    dragging_};
+  return {view(),   width_,        height_, layout_.unit,   painted, notice_,  told_,
+          pointed_, line_.typed(), help_,   layout_.drawer, few_,    dragging_};
 }
 
 Workbench::Stale Workbench::stale() const {
@@ -284,7 +350,7 @@ Workbench::Stale Workbench::stale() const {
 }
 
 PictureSettings Workbench::sized() const {
-  const Rect at = bench().picture(layout_) * layout_.unit;
+  const Rect at = bench().frame(layout_) * layout_.unit;
   PictureSettings settings = painted().picture;
   settings.width = std::min(at.width, width_);
   settings.height = std::min(at.height, height_);
@@ -321,7 +387,8 @@ void Workbench::drawFrame(bool dragging) {
   makePalette(picture, effects);
   image_.width = width_, image_.height = height_;
   image_.pixels.assign(static_cast<std::size_t>(width_) * height_, cells[Cell::Paper]);
-  const Painter paint{image_, layout_.unit};
+  writing_.clear();
+  const Painter paint{image_, layout_.unit, &writing_};
   const Palette plain = plainPalette(picture);
   const CellUse use = whole ? cellUse(picture.image(), view.countsPolygons() ? picture.faceImage()
                                                                              : std::vector<std::uint32_t>{})
@@ -332,7 +399,7 @@ void Workbench::drawFrame(bool dragging) {
                     .use = use,
                     .setup = work_.setup,
                     .layout = layout_,
-                    .fresh = !whole || !isShown || !shown_->whole,
+                    .fresh = !whole || !isShown || !shown_->whole || shown_->indices.view != this->view(),
                     .dragging = dragging,
                     .coarse = quick,
                     .gray = server_.gray,
@@ -352,10 +419,22 @@ void Workbench::drawFrame(bool dragging) {
             .aside = view.aside(),
             .notice = notice_,
             .told = told_,
+            .hint = pointed_ ? pointed_->says : "",
             .typed = line_.typed(),
             .legend = legendOf(keys()),
             .help = help_ ? helpOf(keys()) : std::vector<HelpLine>{}};
-  caps_ = drawPanel(paint, layout_, panel_, cells);
+  PanelState bands = panel_;
+  bands.help.clear();
+  drawPanel(paint, layout_, bands, cells);
+  // What lies on a control is a part of it.
+  Writing free = this->view() == View::Lesson ? Writing{} : writing_;
+  std::erase_if(free, [&](const Written& one) {
+    return view.list().has(one.place.x + one.place.width / 2, one.place.y + one.place.height / 2);
+  });
+  drawLinks(paint, free, pointed_, cells);
+  if (help_) writing_.clear();
+  for (const Rect& list : drawnOverPicture(layout_, panel_))  // the list of keys lies over all
+    drawPanel(paint.within(list), layout_, panel_, cells);
   shown_.emplace(indices(), Colors{work_.setup, effects}, picture, whole);
 }
 

@@ -149,6 +149,8 @@ class Workbench : public Host {
 
   /// The view that is shown.
   [[nodiscard]] WindowView& bench() const { return *benches_[static_cast<std::size_t>(view())]; }
+  /// What the last drawing has written.
+  [[nodiscard]] const Writing& writing() const { return writing_; }
   /// What surrounds the view in the last drawing.
   [[nodiscard]] const PanelState& panel() const { return panel_; }
   /// Where the window is.
@@ -189,6 +191,7 @@ class Workbench : public Host {
     int width, height, unit;
     Setup painted;  ///< without the colours of the cells
     std::string notice, told;
+    std::optional<Pointed> pointed;
     std::optional<Typed> typed;
     bool help;
     Drawer drawer;
@@ -254,6 +257,12 @@ class Workbench : public Host {
            shown_->indices.height == height_ && shown_->indices.unit == layout_.unit &&
            shown_->indices.drawer == layout_.drawer;
   }
+  /// What the pointer presses there, if no control of the view has the place.
+  [[nodiscard]] std::optional<Pointed> pressableAt(int x, int y);
+  /// Goes where a count leads, or says why it leads nowhere.
+  void follow(const Pointed& link);
+  /// Goes to the place before.
+  void goBack();
   /// True if the window shows the scene of a lesson's step in another view.
   [[nodiscard]] bool visitsFromLesson() const { return before_ && view() != View::Lesson; }
   /// Notifies the user if there was nothing to undo or redo.
@@ -274,7 +283,7 @@ class Workbench : public Host {
   ViewingView* viewing_;
   ScanlineView* scanline_;
   View view_ = View::Picture;
-  std::optional<View> came_;    ///< the view before, to which Esc goes back
+  std::vector<WindowPlace> came_;  ///< the places before, the last one last, to which Esc goes back
   int width_ = 0, height_ = 0;  ///< of the window, in pixels
   int unit_ = 1;                ///< the scale, unless the window fills the screen
   bool fillsScreen_ = false, largest_ = false, scaleIsChosen_ = false;
@@ -283,7 +292,8 @@ class Workbench : public Host {
   std::optional<Lecture> lecture_;
   Layout layout_;
   PanelState panel_;
-  std::vector<CapPlace> caps_;
+  Writing writing_;                ///< what the last drawing has written
+  std::optional<Pointed> pointed_;  ///< under the pointer
   std::string notice_, told_;  ///< for the status line: a warning (until a key or click), news (until a key)
   TypedLine line_;
   bool help_ = false, quit_ = false;

@@ -11,6 +11,7 @@ namespace xnewell {
 void Workbench::press(const Key& key) {
   notice_.clear();
   told_.clear();
+  pointed_.reset();
   if (key.letter != 'q') warned_ = false;
   if (line_.isOpen()) return line_.press(key);
   if (help_ && key.letter != '?') {  // the list of keys closes, so that the user sees what the key does
@@ -50,20 +51,19 @@ KeyTable Workbench::generalKeys() {
   const auto add = [&](char letter, const char* legend, const char* does, auto act) {
     table.push_back({{letter}, legend, does, [act](const Key&) { act(); }});
   };
-  if (came_ || visitsFromLesson()) {
-    const View to = came_.value_or(View::Lesson);
+  if (!came_.empty() || visitsFromLesson()) {
+    const View to = came_.empty() ? View::Lesson : came_.back().view;
     table.push_back({{NamedKey::Escape},
                      to == View::Lesson ? "the lesson" : "back",
                      to == View::Lesson ? "go back to the lesson" : "go back to the view before",
-                     [this, to](const Key&) {
-                       switchTo(to);
-                       came_.reset();
-                     }});
+                     [this](const Key&) { goBack(); }});
   }
   add('u', "undo", "undo, redo", [this] { undo(); });
   add('U', "", "undo, redo", [this] { done(work_.redo(), "redo"); });
-  add('r', "reset", "reset the set-up", [this] {
-    done(work_.setup != work_.defaults, "reset");
+  add('r', "reset", "reset the set-up, and what views have changed", [this] {
+    bool changed = work_.setup != work_.defaults;
+    for (const auto& one : benches_) changed |= one->reset();
+    done(changed, "reset");
     change('r', [this](Setup& s) { s = work_.defaults; });
   });
   const char* const files = "save the set-up as a scene file; open a scene, or a picture";

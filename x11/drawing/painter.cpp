@@ -80,6 +80,26 @@ void Painter::place(const IndexImage& picture, const Rect& part, int x, int y) {
     std::copy_n(picture.row(j - dy) + to.x - dx, to.width, image_->row(j) + to.x);
 }
 
+void Painter::fit(const IndexImage& picture, const Rect& area) {
+  const Rect to = area * step_;
+  if (to.width == picture.width && to.height == picture.height) return place(picture, area.x, area.y);
+  const Rect shown = intersection(to, clip_);
+  for (int j = shown.y; j < shown.y + shown.height; ++j) {
+    const std::uint8_t* const from = picture.row((2 * (j - to.y) + 1) * picture.height / (2 * to.height));
+    for (int i = shown.x; i < shown.x + shown.width; ++i)
+      image_->row(j)[i] = from[(2 * (i - to.x) + 1) * picture.width / (2 * to.width)];
+  }
+}
+
+void Painter::note(const Writing& writing, int dx, int dy) {
+  if (!writing_) return;
+  for (const Written& one : writing) {
+    const Rect& at = one.place;
+    const Rect place{at.x + dx, at.y + dy, at.width, at.height};
+    if (!intersection(place * step_, clip_).empty()) writing_->push_back({place, one.words, one.pitch});
+  }
+}
+
 void Painter::line(int x0, int y0, int x1, int y1, std::uint8_t cell, const LineStyle& style) {
   assert(style.thickness >= 1 && style.on >= 1 && style.off >= 0);
   const bool steep = std::abs(y1 - y0) > std::abs(x1 - x0);
@@ -131,6 +151,8 @@ void Painter::ring(int x, int y, int radius, std::uint8_t cell) {
 int Painter::text(int x, int baseline, std::string_view utf8, std::uint8_t cell, Voice voice) {
   const VoiceRow& how = kVoices[static_cast<int>(voice)];
   const int width = kGlyphWidth * how.scale, top = baseline - kGlyphAscent * how.scale;
+  if (step_ == unit_)
+    note({{{x, top, textWidth(utf8, voice), kGlyphHeight * how.scale}, std::string{utf8}, how.pitch}});
   for (char32_t letter : codesOf(utf8)) {
     if (how.capitals && letter >= 'a' && letter <= 'z') letter -= 'a' - 'A';
     const Glyph& glyph = *glyphOf(letter);
@@ -187,7 +209,10 @@ void Painter::keyBlank(const Rect& a, const KeyCapCells& cells) {
 int Painter::keyCap(int x, int y, std::string_view name, const KeyCapCells& cells) {
   const int letters = textWidth(name), width = std::max(kKeyCap, letters + 8);
   keyBlank({x, y, width, kKeyCap}, cells);
-  text(x + (width - letters + 1) / 2, y + kKeyCapBaseline, name, cells.letter);
+  Painter letter = *this;
+  letter.writing_ = nullptr;
+  letter.text(x + (width - letters + 1) / 2, y + kKeyCapBaseline, name, cells.letter);
+  note({{{x, y, width, kKeyCap}, std::string{name}}});
   return width;
 }
 
@@ -198,7 +223,9 @@ int Painter::keyCap(int x, int y, Direction arrow, const KeyCapCells& cells) {
   // mirror images.
   const bool level = arrow == Direction::Left || arrow == Direction::Right;
   const int ahead = kBefore + (arrow == Direction::Right || arrow == Direction::Down);
+  constexpr std::array<std::string_view, 4> kNames{"left", "right", "up", "down"};
   keyBlank({x, y, kKeyCap, kKeyCap}, cells);
+  note({{{x, y, kKeyCap, kKeyCap}, std::string{kNames[static_cast<std::size_t>(arrow)]}}});
   triangle(x + (level ? ahead : kLeftOfLevel), y + (level ? kLeftOfLevel : ahead), kDepth, arrow,
            cells.letter);
   return kKeyCap;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "shading/color/index_image.h"
 #include "x11/drawing/rect.h"
@@ -66,12 +67,25 @@ struct KeyCapCells {
 inline constexpr int kKeyCap = 15;          ///< height, and least width
 inline constexpr int kKeyCapBaseline = 11;  ///< of its letter, below its top
 
+/// What was written into an image, for the pointer: words, and the names on key caps.
+struct Written {
+  Rect place;  ///< in units
+  std::string words;
+  int pitch = 0;  ///< from letter to letter; 0: a key cap
+};
+using Writing = std::vector<Written>;
+
 /// Draws into an image that outlives it. Small and copyable.
 class Painter {
  public:
-  /// A unit is `unit` x `unit` pixels. Any image can be drawn into, so it converts to its painter.
-  Painter(IndexImage& image, int unit = 1)
-      : image_{&image}, unit_{unit}, step_{unit}, clip_{0, 0, image.width, image.height} {}
+  /// A unit is `unit` x `unit` pixels. Any image can be drawn into, so it converts to its painter. What is
+  /// written is added to `writing`, which outlives it, unless that is null.
+  Painter(IndexImage& image, int unit = 1, Writing* writing = nullptr)
+      : image_{&image},
+        unit_{unit},
+        step_{unit},
+        clip_{0, 0, image.width, image.height},
+        writing_{writing} {}
   /// How many pixels a unit is wide.
   [[nodiscard]] int unit() const { return unit_; }
   /// A painter of the same image whose coordinates are pixels: for areas, lines, frames, discs, rings and
@@ -96,6 +110,10 @@ class Painter {
   void place(const IndexImage& picture, int x, int y) {
     place(picture, {0, 0, picture.width, picture.height}, x, y);
   }
+  /// All of a picture, in an area of its proportions: each pixel there has the nearest of its samples.
+  void fit(const IndexImage& picture, const Rect& area);
+  /// Adds what is written elsewhere, and placed so far to the right and down.
+  void note(const Writing& writing, int dx = 0, int dy = 0);
   /// Draws both ends too. Each step along the longer axis gets the nearest unit; half way between two, the
   /// one with the larger coordinate. So the units are the same from either end.
   void line(int x0, int y0, int x1, int y1, std::uint8_t cell, const LineStyle& style = {});
@@ -130,6 +148,7 @@ class Painter {
   int unit_;
   int step_;   ///< pixels from one coordinate to the next
   Rect clip_;  ///< pixels, inside the image
+  Writing* writing_;
 };
 
 }  // namespace xnewell

@@ -35,7 +35,8 @@ class Sheet {
   [[nodiscard]] const IndexImage& image() const { return image_; }
   /// The rows of tables and the findings, in the order in which they were drawn.
   [[nodiscard]] const std::vector<std::string>& report() const { return words_; }
-  [[nodiscard]] Painter painter() { return {image_, unit_}; }
+  [[nodiscard]] const Writing& writing() const { return writing_; }
+  [[nodiscard]] Painter painter() { return {image_, unit_, &writing_}; }
   [[nodiscard]] std::uint8_t cell(Cell c) const { return plan_[c]; }
 
   int title(int x, int y, std::string_view text);
@@ -56,6 +57,7 @@ class Sheet {
   int lines(int x, int y, int width, std::string_view text, Cell cell, Voice voice);
 
   IndexImage image_;
+  Writing writing_;
   std::vector<std::string> words_;
   CellPlan plan_;
   int unit_;

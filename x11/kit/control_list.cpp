@@ -56,6 +56,18 @@ std::string wordsOf(const Controls& controls, const Control& control) {
   return {};
 }
 
+/// A gap between options belongs to the nearest one; -1 before all of them, at the name.
+int nearestOption(const ControlPlace& place, int x, int y) {
+  constexpr int kBefore = 10;
+  if (place.options.empty() || x < place.options.front().x - kBefore) return -1;
+  const auto apart = [&](const Rect& r) {
+    const int dx = std::max({r.x - x, x - (r.x + r.width - 1), 0}),
+              dy = std::max({r.y - y, y - (r.y + r.height - 1), 0});
+    return dx + 100 * dy;
+  };
+  return static_cast<int>(std::ranges::min_element(place.options, {}, apart) - place.options.begin());
+}
+
 }  // namespace
 
 void activate(const Control& control, int option) {
@@ -113,8 +125,13 @@ std::optional<ControlList::Hit> ControlList::at(int x, int y) const {
   for (const bool above : {true, false})
     for (const auto& [id, place] : places_)
       if (place.above == above && (place.area.has(x, y) || place.grip.has(x, y)))
-        return Hit{id, -1, place.grip.has(x, y)};
+        return Hit{id, nearestOption(place, x, y), place.grip.has(x, y)};
   return std::nullopt;
+}
+
+bool ControlList::has(int x, int y) const {
+  const std::optional<Hit> hit = at(x, y);
+  return hit && !find(hit->id)->passive;
 }
 
 void ControlList::hover(const Controls& controls, int x, int y) {

@@ -59,6 +59,8 @@ class ControlList {
   void setFocus(std::optional<ControlId> id) { state_.focus = id; }
   /// The user types a value of the control.
   void askForValue(const Control& control);
+  /// True if a control that a press would act on lies there.
+  [[nodiscard]] bool has(int x, int y) const;
   /// The control under the pointer.
   [[nodiscard]] const Control* hovered(const Controls& controls) const;
   /// Appends the rows of all keys to `table`: the arrows, Home, End, = and Tab for the selected control, and

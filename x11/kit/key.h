@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace xnewell {
 
@@ -42,6 +44,8 @@ struct Key {
 /// What is written on the key: "a", "PgUp"; an arrow is "<", ">", "^" or "v", which a key cap draws as a
 /// triangle.
 [[nodiscard]] std::string capOf(const Key& key);
+/// The key whose cap has this written on it, or an arrow with this name; nothing if no key has.
+[[nodiscard]] std::optional<Key> keyOfCap(std::string_view cap);
 /// The key in a sentence: "a", "PgUp", "left".
 [[nodiscard]] std::string nameOf(const Key& key);
 

@@ -56,6 +56,12 @@ std::string capOf(const Key& key) {
   return row == kCaps.end() ? std::string{key.letter} : std::string{row->cap};
 }
 
+std::optional<Key> keyOfCap(std::string_view cap) {
+  if (cap.size() == 1) return Key{cap[0]};
+  const auto* const row = std::ranges::find_if(kCaps, [&](const CapRow& r) { return cap == r.cap || cap == r.word; });
+  return row == kCaps.end() ? std::nullopt : std::optional{Key{row->key}};
+}
+
 std::string nameOf(const Key& key) {
   const auto* const row = std::ranges::find(kCaps, key.name, &CapRow::key);
   return row == kCaps.end() ? std::string{key.letter} : std::string{row->word};

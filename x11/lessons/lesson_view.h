@@ -116,6 +116,7 @@ class LessonView : public WindowView {
   void tick() override;
 
   [[nodiscard]] Rect picture(const Layout& at) const override;
+  [[nodiscard]] Rect frame(const Layout& at) const override { return picture(at); }
   [[nodiscard]] PaletteEffects stored(const Setup& setup) const override;
   [[nodiscard]] bool late(const Setup& setup) const override;
   void draw(Painter paint, const DrawContext& context) override;

@@ -4,7 +4,6 @@
 #include <memory>
 #include <utility>
 
-#include "shading/explain/pixel_place.h"
 #include "x11/drawing/wording.h"
 #include "x11/kit/typed_number.h"
 
@@ -22,8 +21,9 @@ PixelFrame frameOf(const Layout& at) {
   const int left = at.compact ? 250 : std::max(404, body.width * 2 / 5), gap = at.compact ? 26 : 32;
   const int controls = at.compact ? 52 : 80, least = at.compact ? 120 : 210;
   PixelFrame frame;
-  frame.picture = {body.x, body.y, left, std::min(left * 2 / 3, body.height - gap - controls - least)};
-  const int top = body.y + frame.picture.height + gap;
+  frame.picture = framed({body.x, body.y, left, std::min(left * 2 / 3, body.height - gap - controls - least)},
+                         at.frame.width);
+  const int top = frame.picture.y + frame.picture.height + gap;
   frame.below = {body.x, top, left,
                  std::max(least, std::min(left * 11 / 20, body.y + body.height - top - controls)) + 14};
   frame.column = {body.x + left + kMargin, body.y, body.width - left - kMargin, body.height};
@@ -32,16 +32,11 @@ PixelFrame frameOf(const Layout& at) {
 }
 
 void PixelView::choose(double x, double y) {
-  x_ = x, y_ = y;
+  x_ = std::clamp(x, 0.0, 1.0), y_ = std::clamp(y, 0.0, 1.0);
   chosen_.reset();
   quiz_.startAgain();
   found_.reset(), now_.reset();
   late_ = true;
-}
-
-void PixelView::choose(const glm::dvec3& place) {
-  choose(0.5, 0.5);
-  place_ = place;
 }
 
 void PixelView::choose(glm::ivec2 pixel) {
@@ -81,7 +76,7 @@ Controls PixelView::controls() {
   }
   // The picture: a press or a drag takes the pixel along.
   all.push_back({.kind = Control::Kind::Own, .drag = [this](int x, int y, int, int) {
-                   goTo((x - picture_.x) * unit_ + unit_ / 2, (y - picture_.y) * unit_ + unit_ / 2);
+                   choose((x - picture_.x + 0.5) / picture_.width, (y - picture_.y + 0.5) / picture_.height);
                  }});
   addParts(all);
   return all;
@@ -189,12 +184,9 @@ KeyTable PixelView::ownKeys() {
 
 void PixelView::draw(Painter paint, const DrawContext& context) {
   const PixelFrame at = frameOf(context.layout);
-  picture_ = at.picture, unit_ = context.layout.unit;
+  picture_ = at.picture;
   const IndexImage& image = context.picture.image();
   width_ = image.width, height_ = image.height;
-  const auto seenAt = place_ ? placeInPicture(context.picture, *place_) : std::nullopt;
-  if (seenAt) x_ = std::clamp(seenAt->x / width_, 0.0, 1.0), y_ = std::clamp(seenAt->y / height_, 0.0, 1.0);
-  place_.reset();
   if (const std::optional<glm::ivec2> asked = std::exchange(asked_, std::nullopt)) {
     goTo(asked->x, asked->y);
   }
@@ -232,8 +224,9 @@ void PixelView::draw(Painter paint, const DrawContext& context) {
   const page::Page page = page::ofPixel(shared, choice);
   quiz_.setQuestions(page.questions);
 
-  paint.place(image, at.picture.x, at.picture.y);
-  const Rect mark{at.picture.x + i / unit_ - 7, at.picture.y + j / unit_ - 7, 15, 15};
+  paint.fit(image, at.picture);
+  const Rect mark{at.picture.x + i * at.picture.width / width_ - 7,
+                  at.picture.y + j * at.picture.height / height_ - 7, 15, 15};
   Painter inside = paint.within(at.picture);
   inside.frame({mark.x - 1, mark.y - 1, mark.width + 2, mark.height + 2}, context.plan[Cell::Black]);
   inside.frame(mark, context.plan[Cell::White]);
@@ -245,9 +238,9 @@ void PixelView::draw(Painter paint, const DrawContext& context) {
     pressed_.push_back(one);
   const Controls all = controls();
   list_.forgetPlaces();
-  const RowStyle narrow{.width = at.picture.width, .track = at.picture.width - 84 - 60};
+  const RowStyle narrow{.width = at.below.width, .track = at.below.width - 84 - 60};
   int y = at.controls;
-  for (const char key : {'s', 'n'}) y = list_.placeRow(all, key, at.picture.x, y, narrow);
+  for (const char key : {'s', 'n'}) y = list_.placeRow(all, key, at.below.x, y, narrow);
   list_.place({}, {.area = at.picture, .grip = at.picture, .bare = true});
   for (const page::Pressed& one : pressed_) {
     if (one.id == kPressAround) around_ = one.area;

@@ -23,10 +23,8 @@ class PixelView : public WindowView {
  public:
   PixelView(Host& host, std::function<Subject()> subject) : WindowView{host}, subject_{std::move(subject)} {}
 
-  /// Chooses the pixel at this share of the picture's width and height, each in [0, 1); or the one that shows
-  /// this place of the world.
+  /// Chooses the pixel at this share of the picture's width and height; outside it, the nearest.
   void choose(double x, double y);
-  void choose(const glm::dvec3& place);
   /// Chooses a pixel by its column and row in the picture that is drawn next.
   void choose(glm::ivec2 pixel);
   /// Its column and row in the picture that was drawn last.
@@ -64,7 +62,6 @@ class PixelView : public WindowView {
   std::function<Subject()> subject_;
   /// The pixel's place, as shares of the picture: so it stays in the scene if the window's size changes.
   double x_ = 0.5, y_ = 0.5;
-  std::optional<glm::dvec3> place_;  ///< of the world: the next drawing finds its pixel
   std::optional<glm::ivec2> asked_;  ///< the pixel of the next drawing
   std::optional<int> chosen_;        ///< a polygon of the history; none: the one that shows
   int vertex_ = 0, channel_ = 0;
@@ -75,9 +72,9 @@ class PixelView : public WindowView {
   // The state of the last drawing.
   Rect picture_{};
   std::vector<page::Pressed> pressed_;
-  Rect around_{};                          ///< the neighbourhood
-  int width_ = 1, height_ = 1, unit_ = 1;  ///< of the picture, in pixels
-  int painted_ = 0, shown_ = -1;           ///< of the history
+  Rect around_{};                 ///< the neighbourhood
+  int width_ = 1, height_ = 1;    ///< of the picture, in pixels
+  int painted_ = 0, shown_ = -1;  ///< of the history
   int vertices_ = 0, channels_ = 1;
   std::optional<PixelBefore> now_;
   std::optional<int> cell_;

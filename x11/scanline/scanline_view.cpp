@@ -120,7 +120,6 @@ KeyTable ScanlineView::ownKeys() {
     if (!run_ || view_.step == 0) return host_.switchTo(View::Pixel);
     const ScanSample& sample = run_->samples()[static_cast<std::size_t>(view_.step - 1)];
     const PictureSettings& settings = picture_->settings();
-    host_.tell("View 8 has a picture of another size: this pixel shows the same place.");
     host_.explain((sample.column + 0.5) / settings.width, (run_->spanOf(sample).row + 0.5) / settings.height);
   });
   if (view_.playing || list_.focus() != transportId(TransportPart::Timeline))

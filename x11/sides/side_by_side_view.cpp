@@ -279,26 +279,24 @@ Picture SideBySideView::makeB(const DrawContext& context) {
   return B;
 }
 
-void SideBySideView::measure(Measured& side, const Measured& other, const Picture& picture) {
-  if (side.of == picture.settings()) return;
-  if (other.of == picture.settings()) {  // A and B were swapped
-    side = other;
-    return;
-  }
-  side = {picture.settings(), comparedWithReference(picture, truth_.of(picture)).difference,
-          static_cast<std::int64_t>(picture.sorted().fragments.size()), picture.sorted().statistics.splits,
-          timeOf(picture.scene(), picture.settings())};
+void SideBySideView::measure(const Picture& A, const Picture& B) {
+  if (measuredA_.of == A.settings() && measuredB_.of == B.settings()) return;
+  if (measuredA_.of == B.settings() && measuredB_.of == A.settings())
+    return std::swap(measuredA_, measuredB_);
+  const std::array<BestTime, 2> times = timesOf(A.scene(), A.settings(), B.settings());
+  const auto measured = [&](const Picture& picture, const BestTime& time) {
+    return Measured{picture.settings(), comparedWithReference(picture, truth_.of(picture)).difference,
+                    static_cast<std::int64_t>(picture.sorted().fragments.size()),
+                    picture.sorted().statistics.splits, time};
+  };
+  measuredA_ = measured(A, times[0]), measuredB_ = measured(B, times[1]);
 }
 
 void SideBySideView::draw(Painter paint, const DrawContext& context) {
   follow(context.setup);
   at_ = layoutOfSides(context.layout.body);
   const Picture pictureB = makeB(context);
-  if (!context.dragging) {
-    const Measured before = measuredA_;
-    measure(measuredA_, measuredB_, context.picture);
-    measure(measuredB_, before, pictureB);
-  }
+  if (!context.dragging) measure(context.picture, pictureB);
 
   const PictureSettings &ofA = context.picture.settings(), &ofB = pictureB.settings();
   const auto own = [&](const Picture& picture, TableKind kind) {
@@ -314,7 +312,8 @@ void SideBySideView::draw(Painter paint, const DrawContext& context) {
   if (context.dragging) {
     places_.clear(), placed_.reset();
   } else if (placed_ != placed) {
-    places_ = placesOf(unlike, at_.frameWidth * context.layout.unit, at_.frameHeight * context.layout.unit);
+    const auto samples = [&](int units) { return units * ofA.width / at_.A.width; };
+    places_ = placesOf(unlike, samples(at_.frameWidth), samples(at_.frameHeight));
     placed_ = placed;
   }
   if (place_ >= static_cast<int>(places_.size())) place_ = 0;

@@ -85,7 +85,7 @@ class SideBySideView : public WindowView {
     std::int64_t painted = 0, cuts = 0;
     BestTime time = {};
   };
-  void measure(Measured& side, const Measured& other, const Picture& picture);
+  void measure(const Picture& A, const Picture& B);
 
   std::function<Subject()> subject_;
   std::function<int()> most_;

@@ -150,14 +150,27 @@ std::vector<DifferingPlace> placesOf(const Difference& unlike, int frameWidth, i
   return places;
 }
 
-BestTime timeOf(const Scene& scene, const PictureSettings& settings) {
-  BestTime best;
-  for (double spent = 0; best.runs < 3 && (best.runs == 0 || spent < kPatience); ++best.runs) {
-    const double ms = makePicture(scene, settings, 0).times().total();
-    spent += ms;
-    best.ms = best.runs == 0 ? ms : std::min(best.ms, ms);
-  }
+std::array<BestTime, 2> timesOf(const Scene& scene, const PictureSettings& A, const PictureSettings& B) {
+  constexpr int kRuns = 5;
+  std::array<BestTime, 2> best;
+  double spent = 0;
+  for (int run = 0; run < kRuns && (run == 0 || spent < 2 * kPatience); ++run)
+    for (std::size_t k = 0; k < best.size(); ++k) {
+      BestTime& of = best[k];
+      const double ms = makePicture(scene, k == 0 ? A : B, 0).times().total();
+      spent += ms;
+      if (of.runs++ == 0)
+        of.ms = of.next = ms;
+      else if (ms < of.ms)
+        of.next = std::exchange(of.ms, ms);
+      else if (ms < of.next || of.runs == 2)
+        of.next = ms;
+    }
   return best;
+}
+
+bool isDoubtful(const BestTime& a, const BestTime& b) {
+  return std::abs(a.ms - b.ms) <= std::max(a.next - a.ms, b.next - b.ms);
 }
 
 OnePalette onePalette(const ColoredPicture& A, const ColoredPicture& B, const CellPlan& plan,

@@ -39,12 +39,16 @@ inline constexpr int kMostPlaces = 9;
 [[nodiscard]] std::vector<DifferingPlace> placesOf(const Difference& unlike, int frameWidth, int frameHeight);
 
 /// Milliseconds from the scene's points to the painted picture, with nothing kept from earlier runs: the best
-/// of three runs, or of fewer if they take long.
+/// of five runs, or of fewer if they take long.
 struct BestTime {
-  double ms = 0;
+  double ms = 0, next = 0;  ///< the best, and the one after it
   int runs = 0;
 };
-[[nodiscard]] BestTime timeOf(const Scene& scene, const PictureSettings& settings);
+/// In turn, so that other work of the machine slows both alike.
+[[nodiscard]] std::array<BestTime, 2> timesOf(const Scene& scene, const PictureSettings& A,
+                                              const PictureSettings& B);
+/// True if two runs of the same differ as much as these two.
+[[nodiscard]] bool isDoubtful(const BestTime& a, const BestTime& b);
 
 /// Both pictures in the cells of one colormap. If their tables hold the same colours, the indices stay.
 /// Otherwise the cells hold the colours that either picture shows, at 8 bits a channel. If there are more

@@ -8,6 +8,7 @@
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
 #include "x11/views/picture_sheet.h"
+#include "x11/window/layout.h"
 
 namespace xnewell {
 
@@ -31,13 +32,19 @@ class SidesDrawing {
   std::vector<std::string> drawNumbers();
 
  private:
-  /// Draws a frame around the place, in a picture at `area` whose first row shown is `first`.
+  /// A part of the pictures as they are shown, in pixels of the window.
+  [[nodiscard]] Rect shown(const Rect& part) const {
+    const double scale = 1.0 * at_.A.width * pen_.paint.unit() / page_.A.width;
+    const auto at = [&](int along) { return static_cast<int>(scale * along); };
+    return {at(part.x), at(part.y), at(part.width), at(part.height)};
+  }
+  /// Draws a frame around the place, in a picture at `area` that is shown from `first` on, in units.
   void drawFrame(const Rect& area, int first);
   int drawKinds(int x, int baseline);
   void drawLegend(const Rect& at);
   /// Draws the place in both pictures, sample by sample, if there is room.
   void drawLoupe(const Rect& at);
-  /// The first row of the difference that is shown, so that the place is in the middle.
+  /// Where the difference that is shown begins, in units, so that the place is in the middle.
   [[nodiscard]] int firstRow() const;
 
   Pen pen_;
@@ -48,8 +55,8 @@ class SidesDrawing {
 void SidesDrawing::drawFrame(const Rect& area, int first) {
   if (!page_.place) return;
   Painter paint = pen_.paint.within(area).pixels();
-  const int unit = paint.unit(), x = area.x * unit, y = area.y * unit - first;
-  const Rect& f = page_.place->frame;
+  const int unit = paint.unit(), x = area.x * unit, y = (area.y - first) * unit;
+  const Rect f = shown(page_.place->frame);
   for (const auto& [out, cell] : {std::pair{2 * unit, Cell::Black}, {unit, Cell::White}})
     paint.frame({x + f.x - out, y + f.y - out, f.width + 2 * out, f.height + 2 * out}, pen_(cell));
 }
@@ -78,15 +85,15 @@ void SidesDrawing::drawSide(char letter, const Rect& caption, const Rect& pictur
     x = pen_.paint.text(x, y, phrase.text, pen_(phrase.differs ? Cell::Ink : Cell::Soft), voice);
     first = false, differed = phrase.differs;
   }
-  pen_.paint.place(B ? page_.B : page_.A, picture.x, picture.y);
+  pen_.paint.fit(B ? page_.B : page_.A, picture);
   drawFrame(picture, 0);
 }
 
 int SidesDrawing::firstRow() const {
-  const int shown = at_.difference.height * pen_.paint.unit(), spare = page_.A.height - shown;
+  const int height = at_.difference.height, spare = at_.A.height - height;
   if (!page_.place) return spare / 2;
-  const Rect& f = page_.place->frame;
-  return std::clamp(f.y + f.height / 2 - shown / 2, 0, spare);
+  const Rect f = shown(page_.place->frame);
+  return std::clamp((f.y + f.height / 2) / pen_.paint.unit() - height / 2, 0, spare);
 }
 
 int SidesDrawing::drawKinds(int x, int y) {
@@ -115,7 +122,7 @@ void SidesDrawing::drawLegend(const Rect& at) {
 }
 
 void SidesDrawing::drawDifference() {
-  const int y = at_.sections.y, x = at_.difference.x;
+  const int y = at_.sections.y, x = at_.sections.x;
   pen_.rule(x, y, at_.sections.width);
   const int kinds = pen_.caps(x, y + 17, "DIFFERENCE") + 14;
   const int end = drawKinds(kinds, y + 17);
@@ -124,12 +131,13 @@ void SidesDrawing::drawDifference() {
       u.errors.count == 0 ? 0.0 : 100.0 * static_cast<double>(u.above) / static_cast<double>(u.errors.count);
   const std::string percent = fixed(share, 2) + " %",
                     all = grouped(u.above) + " of " + counted(u.errors.count, "sample") + ", " + percent;
-  const int right = x + at_.difference.width;
-  const std::string& told = end + textWidth(all) + 4 <= right ? all : percent;
-  pen_.boldRight(right - 1, y + 17, told);
+  const int headEnd = x + at_.captionA.width;
+  const std::string& told = end + textWidth(all) + 4 <= headEnd ? all : percent;
+  pen_.boldRight(headEnd - 1, y + 17, told);
 
-  const int first = firstRow(), rows = at_.difference.height * pen_.paint.unit();
-  pen_.paint.place(stepsImage(u, pen_.plan), {0, first, page_.A.width, rows}, x, at_.difference.y);
+  const int first = firstRow();
+  pen_.paint.within(at_.difference)
+      .fit(stepsImage(u, pen_.plan), {x, at_.difference.y - first, at_.A.width, at_.A.height});
   drawFrame(at_.difference, first);
   drawLegend(at_.difference);
   // Words on a dark ground at the foot of the panel, at the left or at the right.
@@ -138,13 +146,14 @@ void SidesDrawing::drawDifference() {
     pen_.paint.fillRect({left - 4, base - 12, textWidth(words) + 8, 16}, pen_(Cell::Well));
     pen_.paint.text(left, base, words, pen_(Cell::WellText));
   };
-  if (rows < page_.A.height)
-    foot(x + 8, "rows " + std::to_string(first) + " to " + std::to_string(first + rows - 1) + " of " +
+  const auto row = [&](int down) { return std::to_string(down * page_.A.height / at_.A.height); };
+  if (at_.difference.height < at_.A.height)
+    foot(x + 8, "rows " + row(first) + " to " + row(first + at_.difference.height) + " of " +
                     std::to_string(page_.A.height));
   if (!page_.place) return;
   const std::string which = "place " + std::to_string(page_.number + 1) + " of " +
                             std::to_string(page_.places) + ": " + counted(page_.place->samples, "sample");
-  foot(right - textWidth(which) - 8, which);
+  foot(at_.difference.x + at_.difference.width - textWidth(which) - 8, which);
 }
 
 std::string signedDifference(std::int64_t a, std::int64_t b) {
@@ -171,10 +180,11 @@ std::vector<std::string> SidesDrawing::drawNumbers() {
   const auto count = [&](const std::string& label, std::int64_t ofA, std::int64_t ofB, bool alarm = false) {
     row(label, grouped(ofA), grouped(ofB), signedDifference(ofA, ofB), alarm && ofA != ofB);
   };
-  const auto amount = [&](const std::string& label, double ofA, double ofB, int decimals, bool alike) {
+  const auto amount = [&](const std::string& label, double ofA, double ofB, int decimals, bool alike,
+                          const std::string& otherwise = "") {
     const double unit = std::pow(10.0, decimals);  // subtracts the rounded numbers that are shown
     const double apart = (std::round(ofA * unit) - std::round(ofB * unit)) / unit;
-    row(label, fixed(ofA, decimals), fixed(ofB, decimals), alike ? fixed(apart + 0.0, decimals) : "");
+    row(label, fixed(ofA, decimals), fixed(ofB, decimals), alike ? fixed(apart + 0.0, decimals) : otherwise);
   };
   const bool alike = a.errors.kind == b.errors.kind;
   const int decimals = alike ? rowOf(a.errors.kind).decimals : 2;
@@ -188,7 +198,8 @@ std::vector<std::string> SidesDrawing::drawNumbers() {
   count("cuts", a.cuts, b.cuts);
   amount(
       "time, ms, best of " + std::to_string(std::max(1, std::min(page_.ofA.time.runs, page_.ofB.time.runs))),
-      page_.ofA.time.ms, page_.ofB.time.ms, std::min(page_.ofA.time.ms, page_.ofB.time.ms) < 1 ? 3 : 1, true);
+      page_.ofA.time.ms, page_.ofB.time.ms, std::min(page_.ofA.time.ms, page_.ofB.time.ms) < 1 ? 3 : 1,
+      !isDoubtful(page_.ofA.time, page_.ofB.time), "in doubt");
 
   const bool pairs = !page_.pairs.empty() && !at_.compact;
   const int room = at.height - (pairs ? 20 : 0);
@@ -208,6 +219,7 @@ std::vector<std::string> SidesDrawing::drawNumbers() {
   if (!page_.colors.empty() && y + 6 + Sheet::paragraphHeight(at.width, page_.colors) <= room)
     y = sheet.paragraph(0, y + 6, at.width, page_.colors, Cell::Soft);
   pen_.paint.place(sheet.image(), at.x, at.y);
+  pen_.paint.note(sheet.writing(), at.x, at.y);
   drawLoupe({at.x, at.y + y + 12, at.width, room - y - 24});
   if (!pairs) return sheet.report();
   const int baseline = at.y + at.height - 4;
@@ -245,17 +257,16 @@ SidesLayout layoutOfSides(const Rect& body) {
   at.compact = body.height < kCompactBelow;
   const int column = (body.width - Sheet::kGutter) / 2, right = body.x + body.width - column;
   const int free = body.height - kCaption - kBelowPictures;
-  // The lower part gets its least height. Then pictures grow to proportions of three to two, and after that
-  // to the height of the difference below them.
-  const int height =
-      std::min(free - (at.compact ? kLowerCompact : kLower), std::max(column * 2 / 3, (free - kSection) / 2));
+  // The lower part gets its least height, and the pictures the rest.
+  const int height = std::min(free - (at.compact ? kLowerCompact : kLower), column * 2 / 3);
   at.captionA = {body.x, body.y, column, kCaption};
   at.captionB = {right, body.y, column, kCaption};
-  at.A = {body.x, body.y + kCaption, column, height};
-  at.B = {right, at.A.y, column, height};
-  const int sections = at.A.y + height + kBelowPictures, left = body.y + body.height - sections;
+  at.A = framed({body.x, body.y + kCaption, column, height});
+  at.A.x = body.x;
+  at.B = at.A, at.B.x = right;
+  const int sections = body.y + kCaption + height + kBelowPictures, left = body.y + body.height - sections;
   at.sections = {body.x, sections, body.width, kSection};
-  at.difference = {body.x, sections + kSection, column, std::min(height, left - kSection)};
+  at.difference = {at.A.x, sections + kSection, at.A.width, std::min(at.A.height, left - kSection)};
   at.numbers = {right, sections, column, left};
   at.frameWidth = std::max(24, column / 10);
   at.frameHeight = std::max(24, height / 4);

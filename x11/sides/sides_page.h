@@ -33,7 +33,7 @@ struct SideFacts {
 
 /// All that the page shows.
 struct SidesPage {
-  const IndexImage &A, &B;  ///< all pixels of the layout's A, in the cells of one palette
+  const IndexImage &A, &B;  ///< of the proportions of the layout's A, in the cells of one palette
   const Difference& unlike;
   SideFacts ofA, ofB;
   Finding finding;

@@ -1,5 +1,7 @@
 #include "x11/stepper/fragment_tint.h"
 
+#include <algorithm>
+
 #include "depthsort/fragment_spans.h"
 
 namespace xnewell {
@@ -9,20 +11,27 @@ Fragment fragmentOf(const SnappedScene& scene, const SortedScene& sorted, int id
   return id < faces ? Fragment{id} : Fragment{sorted.pieces[id - faces].face, id - faces};
 }
 
-Samples tintFragment(Painter paint, const Rect& at, const SnappedScene& scene, const SortedScene& sorted,
-                     int id, std::optional<Stipple> tint, std::uint8_t cell) {
-  const int unit = paint.unit();
-  const Rect all = at * unit;
+Samples tintFragment(Painter paint, const Rect& at, glm::ivec2 size, const SnappedScene& scene,
+                     const SortedScene& sorted, int id, std::optional<Stipple> tint, std::uint8_t cell) {
+  const Rect all = at * paint.unit();
+  const double scale = 1.0 * all.width / size.x;
   Painter fine = paint.pixels();
+  const auto pixel = [&](std::int64_t sample) {
+    return static_cast<int>(scale * static_cast<double>(sample));
+  };
   std::int64_t x = 0, y = 0, samples = 0;
-  forEachSpan(scene, sorted, fragmentOf(scene, sorted, id), all.width, all.height,
-              [&](int row, int from, int to) {
-                samples += to - from, y += std::int64_t{row} * (to - from),
-                    x += std::int64_t{from + to} * (to - from) / 2;
-                if (tint) fine.stipple({all.x + from, all.y + row, to - from, 1}, *tint, cell);
-              });
+  forEachSpan(scene, sorted, fragmentOf(scene, sorted, id), size.x, size.y, [&](int row, int from, int to) {
+    samples += to - from, y += std::int64_t{row} * (to - from),
+        x += std::int64_t{from + to} * (to - from) / 2;
+    if (tint)
+      fine.stipple({all.x + pixel(from), all.y + pixel(row), pixel(to) - pixel(from),
+                    std::max(1, pixel(row + 1) - pixel(row))},
+                   *tint, cell);
+  });
   if (samples == 0) return {};
-  return {samples, at.x + static_cast<int>(x / samples / unit), at.y + static_cast<int>(y / samples / unit)};
+  const int unit = paint.unit();
+  return {static_cast<std::int64_t>(scale * scale * static_cast<double>(samples)),
+          at.x + pixel(x / samples) / unit, at.y + pixel(y / samples) / unit};
 }
 
 std::int64_t samplesWithin(const SnappedScene& scene, const SortedScene& sorted, int id, const Rect& area) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <optional>
 
 #include "depthsort/depth_sort.h"
@@ -13,9 +14,10 @@ struct Samples {
   std::int64_t count = 0;
   int x = 0, y = 0;  ///< near their middle, in units of the image
 };
-/// Tints the samples of fragment `id` of the run, or only counts them. `at` is the area of the picture.
-Samples tintFragment(Painter paint, const Rect& at, const SnappedScene& scene, const SortedScene& sorted,
-                     int id, std::optional<Stipple> tint, std::uint8_t cell);
+/// Tints the samples of fragment `id` of the run, or only counts them as pixels of the image. `at` is the
+/// area of the picture, which has this size in samples.
+Samples tintFragment(Painter paint, const Rect& at, glm::ivec2 size, const SnappedScene& scene,
+                     const SortedScene& sorted, int id, std::optional<Stipple> tint, std::uint8_t cell);
 
 /// How many samples of the fragment lie in an area, which lies inside the picture.
 [[nodiscard]] std::int64_t samplesWithin(const SnappedScene& scene, const SortedScene& sorted, int id,

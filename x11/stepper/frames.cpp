@@ -135,9 +135,9 @@ void Frames::outlineWaiting() {
 /// Tints a fragment if it is not painted yet, outlines it, and draws its letter in the middle.
 void Frames::mark(int fragment, Cell color, Stipple tint, std::string_view letter) {
   const bool paintedNow = replay_.event()->kind == Event::Kind::Paint;
-  const auto [samples, x, y] =
-      tintFragment(overPicture(), pictureArea(), picture_.snapped(), sorted_, fragment,
-                   paintedNow ? std::nullopt : std::optional{tint}, cell(color));
+  const auto [samples, x, y] = tintFragment(
+      overPicture(), pictureArea(), {picture_.settings().width, picture_.settings().height},
+      picture_.snapped(), sorted_, fragment, paintedNow ? std::nullopt : std::optional{tint}, cell(color));
 
   Painter painter = overPicture(), fine = painter.pixels();
   const int thickness = std::max(1, std::min(pictureArea().width, pictureArea().height) / 250);

@@ -71,6 +71,7 @@ SortLayout layoutOfSort(const Rect& body, bool shut, bool own) {
     at.table = {body.x, at.picture.y + at.picture.height, left, table};
     placeSidesAndList(at, right, body.width - left - kGutter, upper);
   }
+  at.well = at.picture;
   at.heading = heading;
   const int given = own ? (kTestRowsShown - kOwnTests) * at.line : 0;
   at.table.height -= given;

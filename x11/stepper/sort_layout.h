@@ -31,6 +31,7 @@ struct SortLayout : TransportLayout {
   bool shut = false;  ///< without list and side view, so that the picture is larger
   int line = 16;      ///< from one line of text to the next
   Rect body, picture;
+  Rect well;      ///< the ground around the picture
   Rect headline;  ///< the finding in large letters; empty unless `shut`
   Rect table;     ///< the heading and the eight tests, or five if `own`
   Rect finding;   ///< the white box under it

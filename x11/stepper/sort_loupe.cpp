@@ -38,8 +38,7 @@ Area focusOf(const SortPen& pen) {
                                                  : Area{small.x0 - size(small), small.y0 - size(small),
                                                         small.x1 + size(small), small.y1 + size(small)};
   }
-  const Rect all = pen.at.picture * pen.paint.unit();
-  const double W = all.width, H = all.height;
+  const double W = pen.size().x, H = pen.size().y;
   focus = {std::clamp(focus.x0, 0.0, W), std::clamp(focus.y0, 0.0, H), std::clamp(focus.x1, 0.0, W),
            std::clamp(focus.y1, 0.0, H)};
   const double least = 2.0;  // pixels: limits how much a sliver is enlarged
@@ -51,8 +50,7 @@ Area focusOf(const SortPen& pen) {
 /// fixed order, so that the loupe seldom jumps from step to step. If it hides a part of them in all corners,
 /// a smaller loupe.
 Rect cornerFor(const SortPen& pen) {
-  const Rect& picture = pen.at.picture;
-  const int unit = pen.paint.unit();
+  const Rect& picture = pen.at.well;
   constexpr int kInset = 10, kBelowWords = 26, kLeast = 150;
   Rect best;
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
@@ -61,14 +59,14 @@ Rect cornerFor(const SortPen& pen) {
       for (const bool right : {true, false}) {
         const int width = std::max(kLeast, picture.width * 38 * percent / 10'000),
                   height = picture.height * 54 * percent / 10'000;
-        const Rect r{right ? picture.width - width - kInset : kInset,
-                     low ? picture.height - height - kInset : kBelowWords, width, height};
+        const Rect r{picture.x + (right ? picture.width - width - kInset : kInset),
+                     picture.y + (low ? picture.height - height - kInset : kBelowWords), width, height};
         std::int64_t hidden = 0;
         for (const int id : {pen.P(), pen.Q()})
-          if (id >= 0) hidden += samplesWithin(pen.run.scene(), pen.run.sorted(), id, r * unit);
+          if (id >= 0) hidden += pen.samplesIn(r, id);
         if (hidden >= least) continue;
         least = hidden;
-        best = {picture.x + r.x, picture.y + r.y, width, height};
+        best = r;
       }
   return best;
 }
@@ -84,9 +82,8 @@ class Loupe {
         scale_{std::min((at.width - 2 * kAroundLabels) / focus.width(),
                         (at.height - 2 * kAbove) / focus.height())} {}
 
-  /// Otherwise the loupe shows the numbers only, and a frame around nearly all of the picture would be
-  /// useless.
-  [[nodiscard]] bool enlarges() const { return scale_ * paint_.unit() > 1.0; }
+  /// Otherwise it would only hide a part of the picture.
+  [[nodiscard]] bool enlarges() const { return scale_ * paint_.unit() > pen_.scale(); }
 
   void draw() {
     const int P = pen_.P(), Q = pen_.Q();
@@ -278,23 +275,22 @@ class Loupe {
 }  // namespace
 
 Rect drawLoupe(SortPen& pen) {
-  const Rect& area = pen.at.picture;
+  const Rect& area = pen.at.well;
   const Area focus = focusOf(pen);
   const Rect at = cornerFor(pen);
   Loupe loupe{pen, at, focus};
-  if (loupe.enlarges()) {
-    Painter picture = pen.paint.within(area).pixels();
-    const int unit = picture.unit(), out = 2 * unit;
-    const Rect all = area * unit, loupeAt = at * unit;
-    const Rect framed{all.x + static_cast<int>(focus.x0) - out, all.y + static_cast<int>(focus.y0) - out,
-                      static_cast<int>(focus.width()) + 2 * out + 1,
-                      static_cast<int>(focus.height()) + 2 * out + 1};
-    picture.frame(framed, pen(Cell::WellText));
-    const bool right = at.x > area.x + area.width / 2, low = at.y + at.height > area.y + area.height - 20;
-    picture.line(framed.x + (right ? framed.width : 0), framed.y + (low ? framed.height - 1 : 0),
-                 right ? loupeAt.x : loupeAt.x + loupeAt.width - 1,
-                 low ? loupeAt.y + loupeAt.height - 1 : loupeAt.y, pen(Cell::WellText));
-  }
+  if (!loupe.enlarges()) return {};
+  Painter picture = pen.paint.within(area).pixels();
+  const int unit = picture.unit(), out = 2 * unit;
+  const Rect all = pen.at.picture * unit, loupeAt = at * unit;
+  const auto pixel = [&](double samples) { return static_cast<int>(pen.scale() * samples); };
+  const Rect focused{all.x + pixel(focus.x0) - out, all.y + pixel(focus.y0) - out,
+                     pixel(focus.width()) + 2 * out + 1, pixel(focus.height()) + 2 * out + 1};
+  picture.frame(focused, pen(Cell::WellText));
+  const bool right = at.x > area.x + area.width / 2, low = at.y + at.height > area.y + area.height - 20;
+  picture.line(focused.x + (right ? focused.width : 0), focused.y + (low ? focused.height - 1 : 0),
+               right ? loupeAt.x : loupeAt.x + loupeAt.width - 1,
+               low ? loupeAt.y + loupeAt.height - 1 : loupeAt.y, pen(Cell::WellText));
   pen.paint.fillRect(at, pen(Cell::White));
   loupe.draw();
   pen.paint.frame(at, pen(Cell::Ink));

@@ -19,6 +19,14 @@ struct SortPen : Pen {
   std::vector<const FalseStep*> wrong;  ///< of another program, if the page may tell it
   const ControlList* list;
 
+  /// The picture's size, in samples, and how many pixels of the window a sample is shown wide.
+  [[nodiscard]] glm::ivec2 size() const {
+    const PictureSettings& settings = run.picture().settings();
+    return {settings.width, settings.height};
+  }
+  [[nodiscard]] double scale() const { return 1.0 * at.picture.width * paint.unit() / size().x; }
+  /// How many samples of a fragment lie in an area of the window, in units.
+  [[nodiscard]] std::int64_t samplesIn(const Rect& units, int id) const;
   [[nodiscard]] int P() const { return event ? event->P : -1; }
   [[nodiscard]] int Q() const { return event ? event->Q : -1; }
   /// True while the student is to say what comes next.
@@ -41,7 +49,8 @@ void drawBadge(SortPen& pen, int x, int y, bool isP);
 
 Rect drawSortPicture(SortPen& pen);
 /// Draws P and Q enlarged, in a corner of the picture that is free of them: their corners with the
-/// distances that decide, and the line where their planes meet. Returns the area of the loupe.
+/// distances that decide, and the line where their planes meet. Returns the area of the loupe, which is empty
+/// if it would not enlarge them.
 Rect drawLoupe(SortPen& pen);
 void drawTests(SortPen& pen);
 void drawFinding(SortPen& pen);

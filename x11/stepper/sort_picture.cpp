@@ -22,8 +22,11 @@ bool outlineWaiting(SortPen& pen, Painter fine, const auto& placed) {
 
 /// Marks the samples that painting too early has spoilt.
 void markSpoilt(SortPen& pen, Painter fine, const Rect& samples, const std::vector<SampleRow>& rows) {
+  const auto pixel = [&](int sample) { return static_cast<int>(pen.scale() * sample); };
   for (const SampleRow& row : rows) {
-    const Rect marked{samples.x + row.from, samples.y + row.row, row.to - row.from, 1};
+    const Rect marked{samples.x + pixel(row.from), samples.y + pixel(row.row),
+                      std::max(1, pixel(row.to) - pixel(row.from)),
+                      std::max(1, pixel(row.row + 1) - pixel(row.row))};
     fine.fillRect(marked, pen(Cell::Alarm));
     fine.stipple(marked, Stipple::Quarter, pen(Cell::White));
   }
@@ -39,8 +42,8 @@ void markFalse(SortPen& pen, Painter fine, const Rect& samples, const auto& plac
                  (isEarly ? pen.run.hidden(pen.P(), pen.Q()) : pen.run.hidden(pen.Q(), pen.P())).rows);
     for (const int polygon : wrong->right)
       for (const int id : pen.run.partsOf(polygon)) {
-        tintFragment(pen.paint, pen.at.picture, pen.run.scene(), pen.run.sorted(), id, Stipple::Eighth,
-                     pen(Cell::Good));
+        tintFragment(pen.paint, pen.at.picture, pen.size(), pen.run.scene(), pen.run.sorted(), id,
+                     Stipple::Eighth, pen(Cell::Good));
         outline(fine, placed(id), pen(Cell::Good), {2, 3, 3});
       }
     const PictureSettings& size = pen.run.theirs()->picture.settings();
@@ -68,7 +71,8 @@ void markPair(SortPen& pen, Painter& paint, const auto& placed) {
   const Event& e = *pen.event;
   Painter fine = paint.pixels();
   const auto tinted = [&](int id, Cell cell, std::optional<Stipple> stipple) {
-    return tintFragment(paint, pen.at.picture, pen.run.scene(), pen.run.sorted(), id, stipple, pen(cell));
+    return tintFragment(paint, pen.at.picture, pen.size(), pen.run.scene(), pen.run.sorted(), id, stipple,
+                        pen(cell));
   };
   const bool cutsQ = pen.cut >= 0 && pen.cut == e.Q;
   if (e.Q >= 0 && !cutsQ) {
@@ -97,16 +101,13 @@ void markPair(SortPen& pen, Painter& paint, const auto& placed) {
 /// free.
 void drawWords(SortPen& pen, const std::string& words, const Rect& loupe) {
   constexpr int kInset = 10, kHeight = 14;
-  const Rect& at = pen.at.picture;
+  const Rect& at = pen.at.well;
   const auto placeOf = [&](int y) { return Rect{at.x + kInset, at.y + y, textWidth(words), kHeight}; };
   const auto hides = [&](const Rect& place) {
     const bool onLoupe = place.x < loupe.x + loupe.width && loupe.x < place.x + place.width &&
                          place.y < loupe.y + loupe.height && loupe.y < place.y + place.height;
-    const Rect inPicture{place.x - at.x, place.y - at.y, place.width, place.height};
-    return onLoupe || std::ranges::any_of(std::array{pen.P(), pen.Q()}, [&](int id) {
-             return id >= 0 &&
-                    samplesWithin(pen.run.scene(), pen.run.sorted(), id, inPicture * pen.paint.unit()) > 0;
-           });
+    return onLoupe || std::ranges::any_of(std::array{pen.P(), pen.Q()},
+                                          [&](int id) { return id >= 0 && pen.samplesIn(place, id) > 0; });
   };
   const Rect top = placeOf(7), foot = placeOf(at.height - kHeight - 6);
   const Rect place = hides(top) && !hides(foot) ? foot : top;
@@ -125,13 +126,26 @@ int SortPen::left() const {
   return static_cast<int>(run.waiting().size());
 }
 
+std::int64_t SortPen::samplesIn(const Rect& units, int id) const {
+  const double perUnit = paint.unit() / scale();
+  const auto sample = [&](int along, int most) {
+    return std::clamp(static_cast<int>(perUnit * along), 0, most);
+  };
+  const int x = sample(units.x - at.picture.x, size().x), y = sample(units.y - at.picture.y, size().y);
+  return samplesWithin(run.scene(), run.sorted(), id,
+                       {x, y, sample(units.x + units.width - at.picture.x, size().x) - x,
+                        sample(units.y + units.height - at.picture.y, size().y) - y});
+}
+
 Rect drawSortPicture(SortPen& pen) {
   const Rect &at = pen.at.picture, samples = at * pen.paint.unit();
+  const double scale = pen.scale();
   Painter paint = pen.paint.within(at);
-  paint.place(pen.run.soFar(), at.x, at.y);
+  pen.paint.fillRect(pen.at.well, pen(Cell::Well));
+  paint.fit(pen.run.soFar(), at);
   const auto placed = [&](int id) {
     Outline figure = outlineOf(pen.run.fragments().region(id));
-    for (Place& p : figure) p = {p.x + samples.x, p.y + samples.y};  // pixels
+    for (Place& p : figure) p = {scale * p.x + samples.x, scale * p.y + samples.y};  // pixels
     return figure;
   };
   const bool outlined = outlineWaiting(pen, paint.pixels(), placed);

@@ -105,7 +105,7 @@ KeyTable SortView::ownKeys() {
         [&view, on = !view.numbered] { view.numbered = on; });
     add('y', "predict", learns, "", [this] { player_.toggle(kPredict); });
   }
-  add('Y', "by hand", view.own ? "go back to the program's sort" : learns, "",
+  add('Y', view.own ? "Newell's sort" : "by hand", view.own ? "go back to the program's sort" : learns, "",
       [this] { sortOneself(!player_.view.own); });
   if (!view.own) {
     appendSpeedKeys(table, view.speed);
@@ -119,6 +119,8 @@ KeyTable SortView::ownKeys() {
       player_.view.playing = false;
       list_.setFocus(transportId(TransportPart::Timeline));
     });
+  else if (view.own)
+    add(NamedKey::Escape, "leave", "go back to the program's sort", "", [this] { sortOneself(false); });
   if (part_ && !view.playing && !view.numbered)
     add(NamedKey::Escape, "the whole picture", "leave the part that is sorted", "",
         [this] { part_.reset(); });
@@ -142,22 +144,28 @@ bool SortView::press(const Key& key) {
 }
 
 bool SortView::grab(int x, int y) {
-  const auto sample = [unit = unit_](int units) { return units * unit + unit / 2; };
-  if (tooLong_ && at_.picture.has(x, y)) choosePart({sample(x - at_.picture.x), sample(y - at_.picture.y)});
+  if (tooLong_ && at_.picture.has(x, y)) choosePart(sampleAt(x, y));
   player_.view.numbered = false;
   if (player_.view.own) player_.view.own->naming = false;
   if (!run()) return list_.grab(controls(), x, y) && list_.dragging();
   if (list_.grab(controls(), x, y)) return list_.dragging();
   if (!at_.picture.has(x, y) || places_.loupe.has(x, y)) return false;
+  const glm::ivec2 sample = sampleAt(x, y);
   if (view().own) {
-    chooseAt(sample(x - at_.picture.x), sample(y - at_.picture.y));
+    chooseAt(sample.x, sample.y);
     return false;
   }
-  if (const int id = run()->fragmentAt(sample(x - at_.picture.x), sample(y - at_.picture.y)); id >= 0)
+  if (const int id = run()->fragmentAt(sample.x, sample.y); id >= 0)
     goToFaceOf(id);
   else
     host_.notify("There is no polygon there.");
   return false;
+}
+
+glm::ivec2 SortView::sampleAt(int x, int y) const {
+  const PictureSettings& size = picture_->settings();
+  return {(2 * (x - at_.picture.x) + 1) * size.width / (2 * at_.picture.width),
+          (2 * (y - at_.picture.y) + 1) * size.height / (2 * at_.picture.height)};
 }
 
 void SortView::choosePart(glm::ivec2 sample) {
@@ -178,10 +186,16 @@ void SortView::goToFaceOf(int id) { player_.goToPolygon(run()->fragments().face(
 
 void SortView::enter() { list_.setFocus(transportId(TransportPart::Timeline)); }
 
+bool SortView::reset() {
+  if (!view().own) return false;
+  sortOneself(false);
+  return true;
+}
+
 void SortView::leave() {
   WindowView::leave();
   player_.view.playing = player_.view.numbered = false;
-  // Another view makes the picture at its own size, so this run is no longer valid.
+  // It needs much memory, and is soon made again.
   player_.run.reset();
   newell_.reset();
   tooLong_ = fullColor_ = false;
@@ -301,7 +315,7 @@ void SortView::drawTooLong(Painter paint, const DrawContext& context) {
   paint = paint.within(body);
   const IndexImage whole = context.picture.paint(context.plan[Cell::Well]).image;
   use_ = cellUse(whole);
-  paint.place(whole, picture.x, picture.y);
+  paint.fit(whole, picture);
   int y = picture.y + picture.height + 30;
   paint.text(body.x, y, "This run is too long to step through.", context.plan[Cell::Ink], Voice::Bold);
   for (const std::string& line :
@@ -319,7 +333,6 @@ void SortView::drawTooLong(Painter paint, const DrawContext& context) {
 void SortView::draw(Painter paint, const DrawContext& context) {
   at_ = layoutIn(context.layout);
   drawer_ = context.layout.drawer;
-  unit_ = context.layout.unit;
   order_ = context.setup.picture.order;
   if (channelsOf(context.picture.colors().plan()) == Channels::Rgb) {
     fullColor_ = true;  // the view is still late, so it is drawn again at once
@@ -327,6 +340,16 @@ void SortView::draw(Painter paint, const DrawContext& context) {
     return;
   }
   record(context);
+  if (const auto kind = std::exchange(startKind_, std::nullopt); kind && run()) {
+    const std::vector<int>& steps = run()->landmarks().steps(*kind);
+    if (steps.empty()) {
+      host_.notify("Newell's sort has no " + std::string{kLandmarks[static_cast<std::size_t>(*kind)].name} +
+                   " here.");
+    } else {
+      player_.view.kind = *kind;
+      goTo(steps.front());
+    }
+  }
   list_.forgetPlaces();
   if (!run()) {
     drawTooLong(paint, context);

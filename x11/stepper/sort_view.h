@@ -25,16 +25,21 @@ class SortView : public WindowView {
   [[nodiscard]] bool grab(int x, int y) override;
   void enter() override;
   void leave() override;
+  bool reset() override;
   [[nodiscard]] bool moving() const override { return view().playing; }
   void tick() override { player_.tick(); }
 
   [[nodiscard]] Rect picture(const Layout& at) const override { return layoutIn(at).picture; }
+  /// The run of another program is shown in a picture of its proportions.
+  [[nodiscard]] Rect frame(const Layout& at) const override {
+    return showsTheirs() ? layoutIn(at).picture : at.frame;
+  }
   [[nodiscard]] bool hasDrawer() const override { return true; }
   /// The finished picture is not needed, and a step would have to wait for it.
   [[nodiscard]] bool wantsImage() const override { return false; }
   [[nodiscard]] Setup painted(const Setup& setup) const override;
   [[nodiscard]] bool late(const Setup&) const override {
-    return drawn_ != view() || part_ != recorded_ || list_.late();
+    return drawn_ != view() || part_ != recorded_ || startKind_ || list_.late();
   }
   void draw(Painter paint, const DrawContext& context) override;
 
@@ -48,6 +53,8 @@ class SortView : public WindowView {
   void goTo(int step) { player_.goTo(step); }
   /// The step to begin with when the next run is recorded.
   void startAt(int step) { start_ = step; }
+  /// Begins with the first step of a kind, or says that there is none.
+  void startAt(Landmark kind) { startKind_ = kind; }
   /// Shows the run of another program from now on. @throws ParseError if it is none of the scene
   void open(const std::string& file, const Scene& scene);
   /// Its file, if it is shown; or else "".
@@ -66,9 +73,11 @@ class SortView : public WindowView {
  private:
   [[nodiscard]] SortLayout layoutIn(const Layout& at) const {
     SortLayout sort = layoutOfSort(at.body, at.drawer == Drawer::Shut, view().own.has_value());
-    if (showsTheirs()) sort.picture = theirPicture(sort.picture, at.unit);
+    sort.picture = showsTheirs() ? theirPicture(sort.well, at.unit) : framed(sort.well, at.frame.width);
     return sort;
   }
+  /// The sample of the picture that is shown at this unit of the window.
+  [[nodiscard]] glm::ivec2 sampleAt(int x, int y) const;
   /// True if the run of another program was opened, and the view is still its own.
   [[nodiscard]] bool showsTheirs() const {
     return theirs_ && theirs_->picture.settings().camera == host_.setup().picture.camera;
@@ -127,12 +136,12 @@ class SortView : public WindowView {
     bool operator==(const Part&) const = default;
   };
   std::optional<Part> part_, recorded_;
-  std::optional<int> start_;        ///< of startAt(), until a run is recorded
+  std::optional<int> start_;  ///< of startAt(), until a run is recorded
+  std::optional<Landmark> startKind_;
   std::optional<Picture> picture_;  ///< that the run is about
   Order order_ = Order::Newell;     ///< of the picture in its own view
   std::optional<StepAbout> about_;  ///< the step; none at the start
   SortLayout at_;
-  int unit_ = 1;  ///< of the layout
   Drawer drawer_ = Drawer::Whole;
   SortDrawn places_;
   std::optional<SortState> drawn_;

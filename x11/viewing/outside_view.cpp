@@ -193,15 +193,6 @@ void drawNames(StagePen& pen, const OutsideView& view, const StageVolume& volume
   }
 }
 
-IndexImage scaledTo(const IndexImage& from, int width, int height) {
-  IndexImage to{width, height, 0};
-  for (int j = 0; j < height; ++j)
-    for (int i = 0; i < width; ++i)
-      to.row(j)[i] = from.row(static_cast<int>((j + 0.5) * from.height /
-                                               height))[static_cast<int>((i + 0.5) * from.width / width)];
-  return to;
-}
-
 /// The vertex on the grid of the screen: the place before the snap as a ring, and after it as a dot.
 void drawGrid(Pen& pen, const Rect& area, const OutsideView& view, bool words) {
   pen.paint.fillRect(area, pen(Cell::Well));
@@ -314,7 +305,6 @@ const StageImage* drawStage(Pen& pen, const Rect& area, const OutsideView& view)
 
 void drawSmallStage(Pen& pen, const Rect& area, const OutsideView& view) {
   if (view.stage == ViewStage::Snapped) return drawGrid(pen, area, view, false);
-  const int unit = pen.paint.unit();
   if (view.stage == ViewStage::Viewport && view.picture.isPainted() && view.programs) {
     pen.paint.fillRect(area, pen(Cell::Well));
     const IndexImage& all = view.picture.image();
@@ -322,7 +312,7 @@ void drawSmallStage(Pen& pen, const Rect& area, const OutsideView& view) {
     const int width = std::max(1, static_cast<int>(all.width * share));
     const int height = std::max(1, static_cast<int>(all.height * share));
     const int x = area.x + (area.width - width) / 2, y = area.y + (area.height - height) / 2;
-    pen.paint.place(scaledTo(all, width * unit, height * unit), x, y);
+    pen.paint.fit(all, {x, y, width, height});
     return pen.paint.frame({x - 1, y - 1, width + 2, height + 2}, pen(Cell::WellText));
   }
   const StageImage& image = imageOf(view, area, pen, false);

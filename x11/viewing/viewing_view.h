@@ -45,7 +45,7 @@ class ViewingView : public WindowView {
   void leave() override;
 
   /// The page has numbers of the picture of view 1.
-  [[nodiscard]] Rect picture(const Layout& at) const override { return at.picture; }
+  [[nodiscard]] Rect picture(const Layout& at) const override { return at.well; }
   [[nodiscard]] bool late(const Setup&) const override { return late_ || list_.late(); }
   void draw(Painter paint, const DrawContext& context) override;
   [[nodiscard]] std::string status() const override { return status_; }

@@ -332,7 +332,7 @@ std::string levelsText(const Picture& picture, const Palette& stored, const std:
 }
 
 void drawColorsPage(Painter paint, const ColorsLayout& at, const ColorsPage& page) {
-  paint.within(at.picture).place(page.picture.image(), at.picture.x, at.picture.y);
+  paint.fit(page.picture.image(), at.picture);
   ColorsDrawing draws{paint, at, page};
   draws.drawGrid();
   draws.drawFacts();

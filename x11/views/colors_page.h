@@ -32,7 +32,7 @@ struct ColorsLayout {
 
 /// All that the page shows. The cells of the page itself show the palette's colours.
 struct ColorsPage {
-  const Picture& picture;           ///< painted, as large as the layout's
+  const Picture& picture;           ///< painted, of the proportions of the layout's
   const Palette& palette;           ///< the colours that words and curves describe
   const std::vector<Curve>& steps;  ///< stepCurves() of it
   const CellPlan& plan;

@@ -27,12 +27,14 @@ struct BandsPlaces {
   int firstBlock, block;  ///< y; height with what follows it
   int strip, intensity, slope;
 
-  BandsPlaces(int width, int height) {
+  /// A picture of three to two, or of the view's proportions.
+  BandsPlaces(int width, int height, bool framed) {
     const int left = Sheet::kMargin + kMethodNames, top = Sheet::kMargin;
     findings = width - Sheet::kMargin - kFindings;
-    const int plotWidth = findings - Sheet::kGutter - left;
-    pictureHeight =
-        std::clamp(static_cast<int>(std::lround(double(plotWidth) * height / width)), 1, kMaxPicture);
+    const int free = findings - Sheet::kGutter - left, plotWidth = framed ? free / 3 * 3 : free;
+    pictureHeight = framed ? plotWidth / 3 * 2
+                           : std::clamp(static_cast<int>(std::lround(double(plotWidth) * height / width)), 1,
+                                        kMaxPicture);
     const int room = height - 2 * Sheet::kMargin - kAfter;
     const int shown = std::min(pictureHeight, room / 3 + (height - rowOf(View::MachBands).least.y) / 8);
     picture = {left, top, plotWidth, shown};
@@ -114,6 +116,7 @@ class MachBands {
   Rect drawFindings(bool explains, bool grayed, int controls);
 
   [[nodiscard]] const IndexImage& image() const { return sheet_.image(); }
+  [[nodiscard]] const Writing& writing() const { return sheet_.writing(); }
   [[nodiscard]] const std::vector<std::string>& report() const { return sheet_.report(); }
 
   /// The first row of the picture that is shown.
@@ -293,7 +296,7 @@ bool becomesGray(const Scene& scene, const ViewSettings& settings) {
 }  // namespace
 
 PictureSettings pictureForMachBands(const Scene& scene, const ViewSettings& settings) {
-  const BandsPlaces at{settings.picture.width, settings.picture.height};
+  const BandsPlaces at{settings.picture.width, settings.picture.height, /*framed=*/false};
   PictureSettings shown = settings.picture;
   shown.width = at.picture.width, shown.height = at.pictureHeight;
   if (becomesGray(scene, settings)) shown.colors = ColorPlan::OneHue;
@@ -312,19 +315,19 @@ ColoredImage drawMachBands(const Picture& picture, const ViewSettings& settings)
 }
 
 MachBandsLayout layoutOfMachBands(int width, int height) {
-  const BandsPlaces at{width, height};
+  const BandsPlaces at{width, height, /*framed=*/true};
   return {at.picture, at.pictureHeight};
 }
 
 MachBandsPage drawMachBandsPage(const Picture& picture, const MachBandsShown& shown,
                                 const ViewSettings& settings) {
-  const BandsPlaces at{settings.picture.width, settings.picture.height};
+  const BandsPlaces at{settings.picture.width, settings.picture.height, shown.framed};
   const Scanline line = scanlineOf(picture, shown.row, settings.cells[Cell::Well]);
   MachBands view{settings, at, line, shown};
   view.drawPicture(picture.image());
   view.drawBlocks();
   const Rect place = view.drawFindings(settings.picture.height >= 600, shown.grayed, shown.controls);
-  return {view.image(), view.firstRow(), place, view.report()};
+  return {view.image(), view.writing(), view.firstRow(), place, view.report()};
 }
 
 }  // namespace xnewell

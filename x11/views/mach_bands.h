@@ -27,6 +27,7 @@ struct MachBandsLayout {
 
 struct MachBandsPage {
   IndexImage image;
+  Writing writing;
   int firstRow = 0;                      ///< the first row of the picture that is shown
   Rect controls{};                       ///< left empty for the window's controls
   std::vector<std::string> report = {};  ///< the finding and the table
@@ -35,6 +36,7 @@ struct MachBandsShown {
   int row = 0;  ///< the row of the picture that is the scanline
   std::optional<int> firstRow =
       {};  ///< the first row to show, as far as the picture reaches; without it the scanline is in the middle
+  bool framed = false;  ///< the picture has three to two, as in a window
   bool grayed = false;  ///< the colours had to become one hue
   int controls = 0;     ///< height left for controls; 0: words tell their values instead
   int unit = 1;         ///< the image has so many pixels for each unit, each way

@@ -1,6 +1,7 @@
 #include "x11/window/colors_view.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "x11/drawing/wording.h"
 
@@ -95,8 +96,11 @@ KeyTable ColorsView::ownKeys() {
   }
   table.push_back({{'h'},
                    "light it up",
-                   "light up the cell while the key is held",
-                   [this](const Key&) { effects_.lit = cell(); },
+                   "light up the cell, or no longer; or while the key is held",
+                   [this](const Key&) {
+                     again_ = effects_.lit.has_value();  // a held key is pressed again and again
+                     effects_.lit = cell();
+                   },
                    scene_.has(cell()) ? ""
                                       : "Cell " + std::to_string(cell()) +
                                             " does not belong to the scene: there is nothing to light up."});
@@ -106,15 +110,17 @@ KeyTable ColorsView::ownKeys() {
        }});
   table.back().idle = effects_ == PaletteEffects{} && !moving_ && !held_ && !list_.focus() && !chosen_;
   table.push_back({.does = "bend the curve of stored values", .gesture = "drag"});
-  table.push_back({{'r'}, "", "reset the set-up, and restore as Esc does", [this](const Key&) {
-                     undo();
-                     host_.change('r', [this](Setup& s) { s = host_.defaults(); });
-                   }});
   return table;
 }
 
 void ColorsView::release(char letter) {
-  if (letter == 'h') effects_.lit.reset();
+  if (letter == 'h' && std::exchange(again_, false)) effects_.lit.reset();
+}
+
+bool ColorsView::reset() {
+  const bool changed = effects_ != PaletteEffects{} || moving_ || held_;
+  undo();
+  return changed;
 }
 
 void ColorsView::undo() {
@@ -192,7 +198,7 @@ ColorsView::Shown ColorsView::told(const Setup& setup) const {
 }
 
 void ColorsView::draw(Painter paint, const DrawContext& context) {
-  at_ = layoutOfColors(context.layout.body);
+  at_ = layoutIn(context.layout);
   strip_ = context.layout.strip;
   scene_ = sceneCells(context.picture);
   const std::size_t ramps = rampsOf(context.picture).size();

@@ -23,11 +23,12 @@ class ColorsView : public WindowView {
   /// Handles a press of the button, which may start a drag on a slider or on the curve of stored values.
   [[nodiscard]] bool grab(int x, int y) override;
   void leave() override;
+  bool reset() override;
   /// True while the ramp moves: tick() moves it by one shade.
   [[nodiscard]] bool moving() const override { return moving_; }
   void tick() override;
 
-  [[nodiscard]] Rect picture(const Layout& at) const override { return layoutOfColors(at.body).picture; }
+  [[nodiscard]] Rect picture(const Layout& at) const override { return layoutIn(at).picture; }
   /// The setup whose table picks the indices. While the indices are held, the stored table may be another
   /// one.
   [[nodiscard]] Setup painted(const Setup& setup) const override;
@@ -44,6 +45,11 @@ class ColorsView : public WindowView {
   void choose(int cell) { inspect(cell); }
 
  private:
+  [[nodiscard]] static ColorsLayout layoutIn(const Layout& at) {
+    ColorsLayout colors = layoutOfColors(at.body);
+    colors.picture = framed(colors.picture, at.frame.width);
+    return colors;
+  }
   /// Restores all stored colours, releases the indices and gives the arrows back to the cells.
   void undo();
   void inspect(int cell);
@@ -68,6 +74,7 @@ class ColorsView : public WindowView {
   std::optional<int> cell_;
   PaletteEffects effects_;  ///< except `stored`, which follows from the settings and held_
   bool moving_ = false;
+  bool again_ = false;        ///< the key was pressed while the cell was lit
   bool chosen_ = false;       ///< a click or a key chose the cell, so the pointer above others leaves it
   double brightest_ = 255.0;  ///< the value in the last cell of the ramp, of 255
   std::optional<TableSettings> held_;  ///< the table that picks the indices

@@ -1,5 +1,7 @@
 #include "x11/window/layout.h"
 
+#include <algorithm>
+
 #include "x11/options/options.h"
 
 namespace xnewell {
@@ -11,6 +13,8 @@ struct Bands {
   int views, bodyTop, below, strip, status;
 };
 constexpr Bands kRoomy{32, 48, 56, 60, 44}, kCompact{32, 43, 44, 60, 44}, kLow{22, 27, 40, 56, 22};
+
+constexpr glm::ivec2 kLeastForStatus{240, 66};  ///< a window that has room for a line below its picture
 
 /// The places beside a drawer that has few controls, or none.
 void placeDrawer(Layout& at, Drawer drawer) {
@@ -24,11 +28,17 @@ void placeDrawer(Layout& at, Drawer drawer) {
   const int width = at.controls.x - 2 * kEdge - room.x;
   at.body = {room.x, room.y, width, room.height};
   at.headline = {room.x, room.y, width, kTitle};
-  at.picture = {room.x, room.y + kTitle, width, room.height - kTitle - kFindings};
-  at.finding = {room.x, at.picture.y + at.picture.height + 4, width, kFindings - 4};
+  at.well = {room.x, room.y + kTitle, width, room.height - kTitle - kFindings};
+  at.picture = framed(at.well);
+  at.finding = {room.x, at.well.y + at.well.height + 4, width, kFindings - 4};
 }
 
 }  // namespace
+
+Rect framed(const Rect& room, int most) {
+  const int k = std::max(1, std::min({room.width / 3, room.height / 2, most / 3}));
+  return {room.x + (room.width - 3 * k) / 2, room.y + (room.height - 2 * k) / 2, 3 * k, 2 * k};
+}
 
 Layout layoutOf(int wide, int high, int unit, Drawer drawer) {
   const int width = (wide + unit - 1) / unit, height = (high + unit - 1) / unit;
@@ -40,7 +50,10 @@ Layout layoutOf(int wide, int high, int unit, Drawer drawer) {
   at.compact = width < 1024 || height < 768;
   at.low = height < 600;
   if (!at.roomy) {
-    at.picture = {0, 0, width, height};
+    const int status = width >= kLeastForStatus.x && height >= kLeastForStatus.y ? kLow.status : 0;
+    at.low = true;
+    at.picture = at.well = at.frame = {0, 0, width, height - status};
+    at.status = {0, height - status, width, status};
     return at;
   }
   const Bands& bands = at.low ? kLow : at.compact ? kCompact : kRoomy;
@@ -50,7 +63,8 @@ Layout layoutOf(int wide, int high, int unit, Drawer drawer) {
   const int bodyTop = bands.bodyTop, bottom = at.strip.y;
   at.controls = {width - kMargin - kControls, bodyTop, kControls, bottom - bodyTop};
   at.body = {kMargin, bodyTop, width - 2 * kMargin, bottom - 4 - bodyTop};
-  at.picture = {kMargin, bodyTop, at.controls.x - 2 * kMargin, bottom - bands.below - bodyTop};
+  at.well = {kMargin, bodyTop, at.controls.x - 2 * kMargin, bottom - bands.below - bodyTop};
+  at.picture = at.frame = framed(at.well);
   if (drawer != Drawer::Whole) placeDrawer(at, drawer);
   return at;
 }

@@ -20,13 +20,19 @@ struct Layout {
   bool roomy = false, compact = false;
   bool low =
       false;  ///< lower than 600, as 1080 lines are at scale 2: the bands take less, the status one line
-  Rect views, picture, controls, strip, status;
-  Rect body;  ///< between the tabs and the strip, for a view without controls
+  Rect views, controls, strip, status;
+  Rect picture;  ///< of view 1
+  Rect well;     ///< the ground around it
+  Rect frame;    ///< as large as the scene's picture is in all views; they may show it smaller
+  Rect body;     ///< between the tabs and the strip, for a view without controls
   Drawer drawer = Drawer::Whole;
   Rect handle;             ///< opens the drawer, or shuts it if it has few controls; empty if all are there
   Rect headline, finding;  ///< above and below the picture; empty if all controls are there
   bool briefTabs = false;  ///< the tabs are only keys, so that a long title has room beside them
 };
+/// The largest rectangle of three to two in the middle of `room`, at most `most` wide. All pictures of the
+/// scene are framed so: then all have the same camera.
+[[nodiscard]] Rect framed(const Rect& room, int most = 1 << 20);
 /// The layout of a window of so many pixels.
 [[nodiscard]] Layout layoutOf(int width, int height, int unit = 1, Drawer drawer = Drawer::Whole);
 

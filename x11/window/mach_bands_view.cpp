@@ -115,11 +115,16 @@ void MachBandsView::draw(Painter paint, const DrawContext& context) {
   picture_.y += top;
   // The part of the picture that is shown moves only if the scanline leaves it.
   if (firstRow_ && (*row_ < *firstRow_ || *row_ >= *firstRow_ + picture_.height * unit_)) firstRow_.reset();
-  const MachBandsPage page = drawMachBandsPage(
-      context.picture,
-      {.row = *row_, .firstRow = firstRow_, .grayed = grayed, .controls = kRows * kRow + 4, .unit = unit_},
-      settings);
+  const MachBandsPage page = drawMachBandsPage(context.picture,
+                                               {.row = *row_,
+                                                .firstRow = firstRow_,
+                                                .framed = true,
+                                                .grayed = grayed,
+                                                .controls = kRows * kRow + 4,
+                                                .unit = unit_},
+                                               settings);
   paint.within({0, top, at.width, at.strip.y - top}).place(page.image, 0, top);
+  paint.note(page.writing, 0, top);
   firstRow_ = page.firstRow;
   words_ = page.report;
   const Controls all = controls();

@@ -25,6 +25,8 @@ class MachBandsView : public WindowView {
   void enter() override { list_.setFocus(ControlId{'y'}); }
 
   [[nodiscard]] Rect picture(const Layout& at) const override;
+  /// Profiles stand under their pixels.
+  [[nodiscard]] Rect frame(const Layout& at) const override { return picture(at); }
   [[nodiscard]] Setup painted(const Setup& setup) const override;
   [[nodiscard]] bool late(const Setup&) const override { return row_ != drawnRow_ || list_.late(); }
   void draw(Painter paint, const DrawContext& context) override;

@@ -13,9 +13,17 @@ namespace xnewell {
 
 namespace {
 
-std::string noRoom(const Layout& at) {
+/// The last line of a window without room for the controls: the view, and the way out.
+PanelState inSmallWindow(PanelState state, const Layout& at) {
   const glm::ivec2 least = kLeastWindow * at.unit;
-  return "the controls need a window of " + std::to_string(least.x) + " x " + std::to_string(least.y);
+  const ViewRow& view = rowOf(state.view);
+  state.status = std::string{view.key} + ' ' + std::string{view.title} + ": the controls need " +
+                 std::to_string(least.x) + " x " + std::to_string(least.y);
+  state.selected.clear();
+  std::erase_if(state.legend, [](const Legend& one) {
+    return std::ranges::none_of(one.keys, [](const Key& key) { return key == Key{'?'} || key == Key{'q'}; });
+  });
+  return state;
 }
 
 struct Tab {
@@ -90,28 +98,25 @@ int widthOf(const Legend& legend) {
 }
 
 /// From x to the right. Entries that do not fit are left out, but never the last one.
-std::vector<CapPlace> drawLegend(Pen& pen, const Layout& at, int x, int y,
-                                 const std::vector<Legend>& legends) {
-  constexpr int kReach = 4;  // a finger is less exact than a cap is high
-  std::vector<CapPlace> caps;
+void drawLegend(Pen& pen, const Layout& at, int x, int y, const std::vector<Legend>& legends) {
   const int last = legends.empty() ? 0 : widthOf(legends.back());
   for (const Legend& legend : legends) {
     const bool isLast = &legend == &legends.back();
     if (!isLast && x + widthOf(legend) + last > at.width - kMargin) continue;
+    const int left = x;
     for (const Key& key : legend.keys) {
       const std::optional<Direction> arrow = arrowOf(key);
-      const int width = arrow ? pen.arrow(x, y - 11, *arrow) : pen.key(x, y - 11, capOf(key));
-      caps.push_back({{x, y - 11 - kReach, width + 2, kKeyCap + 2 * kReach}, key});
-      x += width + 2;
+      x += 2 + (arrow ? pen.arrow(x, y - 11, *arrow) : pen.key(x, y - 11, capOf(key)));
     }
     if (!legend.gesture.empty()) x += pen.key(x, y - 11, legend.gesture) + 2;
     x = pen.soft(x + 4, y, legend.does) + 12;
-    if (legend.keys.size() == 1) caps.back().place.width = x - 6 - caps.back().place.x;
+    // Words beside one cap are a part of the button.
+    if (legend.keys.size() == 1)
+      pen.paint.note({{{left, y - 11, x - 6 - left, kKeyCap}, nameOf(legend.keys.front())}});
   }
-  return caps;
 }
 
-std::vector<CapPlace> drawTyped(Pen& pen, const Layout& at, const Typed& typed) {
+void drawTyped(Pen& pen, const Layout& at, const Typed& typed) {
   const int y = at.status.y + 15;
   int x = pen.ink(kMargin, y, typed.asks + ": ");
   // A long text shows its end, where it grows. A complaint also shows its end, which says what is wrong.
@@ -123,11 +128,11 @@ std::vector<CapPlace> drawTyped(Pen& pen, const Layout& at, const Typed& typed) 
   std::vector<Legend> legend{{{NamedKey::Return}, "accept"}, {{NamedKey::Escape}, "cancel"}};
   if (typed.offers)
     legend.insert(legend.begin() + 1, {{NamedKey::Up, NamedKey::Down}, "the built-in scenes"});
-  return at.low ? drawLegend(pen, at, x + textWidth(complaint) + 36, y, legend)
-                : drawLegend(pen, at, kMargin, y + 18, legend);
+  at.low ? drawLegend(pen, at, x + textWidth(complaint) + 36, y, legend)
+         : drawLegend(pen, at, kMargin, y + 18, legend);
 }
 
-std::vector<CapPlace> drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
+void drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
   pen.paint.fillRect(at.status, pen(Cell::Panel));
   pen.rule(0, at.status.y, at.width);
   if (state.typed) return drawTyped(pen, at, *state.typed);
@@ -138,6 +143,8 @@ std::vector<CapPlace> drawStatus(Pen& pen, const Layout& at, const PanelState& s
     end = pen.paint.text(begin, y, state.notice, pen(Cell::Alarm));
   } else if (!state.told.empty()) {
     end = pen.paint.text(begin, y, state.told, pen(Cell::Good));
+  } else if (!state.hint.empty()) {
+    end = pen.ink(begin, y, state.hint);
   } else if (at.low) {  // the keys have some of this line
     end = pen.ink(begin, y, beginningOf(state.status, at.width * 3 / 5 - begin));
   } else {
@@ -229,26 +236,34 @@ void drawBusyBox(IndexImage& image, int unit, const CellPlan& plan, int seconds,
 
 std::vector<Rect> drawnOverPicture(const Layout& at, const PanelState& state) {
   std::vector<Rect> parts;
-  if (!at.roomy) parts.push_back({8, 5, textWidth(noRoom(at)), 13});
   if (const Rect box = helpBox(at, state.help).box; !state.help.empty())
     parts.push_back({box.x, box.y, box.width + kShadow, box.height + kShadow});
   return parts;
 }
 
-std::vector<CapPlace> drawPanel(Painter paint, const Layout& at, const PanelState& state,
-                                const CellPlan& plan) {
+void drawPanel(Painter paint, const Layout& at, const PanelState& state, const CellPlan& plan) {
   Pen pen{paint, plan};
-  std::vector<CapPlace> caps;
   if (at.roomy) {
     drawTabs(pen, at, state);
     pen.rule(0, at.strip.y, at.width);
     drawColorStrip(pen.paint, at.strip, plan, state.use, state.words, at.compact, state.inspected);
-    caps = drawStatus(pen, at, state);
-  } else {
-    pen.paint.text(8, 16, noRoom(at), plan[Cell::WellText]);
+    drawStatus(pen, at, state);
+  } else if (!at.status.empty()) {
+    drawStatus(pen, at, inSmallWindow(state, at));
   }
   if (!state.help.empty()) drawHelp(pen, at, state.help);
-  return caps;
+}
+
+void drawLinks(Painter paint, const Writing& writing, const std::optional<Pointed>& pointed,
+               const CellPlan& plan) {
+  for (const Written& one : writing)
+    for (const Pointed& link : linksIn(one)) {
+      const Rect& at = link.place;
+      for (int x = at.x; x < at.x + at.width - 1; x += 2) paint.point(x, at.y + at.height, plan[Cell::Soft]);
+    }
+  if (!pointed || (!pointed->key && pointed->lead == Lead::None)) return;
+  const Rect& at = pointed->place;
+  paint.frame({at.x - 1, at.y - 1, at.width + 2, at.height + 2}, plan[Cell::Ink]);
 }
 
 }  // namespace xnewell

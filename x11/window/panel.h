@@ -10,6 +10,7 @@
 #include "x11/kit/typed_line.h"
 #include "x11/views/color_strip.h"
 #include "x11/window/layout.h"
+#include "x11/window/pointed.h"
 #include "x11/window/window_view.h"
 
 namespace xnewell {
@@ -26,7 +27,7 @@ struct PanelState {
   std::optional<int> inspected = {};  ///< the cell that the strip marks
   std::string selected;               ///< a control that is out of sight, before the first line; "" for none
   std::string status, aside;          ///< the first line and the softer text after it
-  std::string notice, told;           ///< a warning, or plain news, in place of the first line; "" for none
+  std::string notice, told, hint;  ///< a warning, news, or what a word means, in place of the first line
   std::optional<Typed> typed = {};    ///< shown in place of both lines
   std::vector<Legend> legend;         ///< the last line
   std::vector<HelpLine> help;         ///< the list of all keys, over the window; empty: not shown
@@ -37,17 +38,12 @@ struct PanelState {
 /// The tab under the pointer.
 [[nodiscard]] std::optional<View> tabAt(const Layout& layout, int x, int y);
 
-/// A key cap of the last line, with the words beside it if they are its own. A click there presses the key.
-struct CapPlace {
-  Rect place;
-  Key key;
-};
-
-/// Draws the bands of a window that has room for them, and what lies over the view: the list of keys, or the
-/// note that the window is too small. What it draws does not depend on the table's hue or bits, so a new hue
-/// needs no redraw. Returns the key caps of the last line.
-std::vector<CapPlace> drawPanel(Painter paint, const Layout& layout, const PanelState& state,
-                                const CellPlan& plan);
+/// Draws the bands, and the list of keys over the view. A window without room for the controls has only the
+/// last line. What it draws does not depend on the table's hue or bits, so a new hue needs no redraw.
+void drawPanel(Painter paint, const Layout& layout, const PanelState& state, const CellPlan& plan);
+/// Underlines the counts that are links, and frames what the pointer would press.
+void drawLinks(Painter paint, const Writing& writing, const std::optional<Pointed>& pointed,
+               const CellPlan& plan);
 
 /// A note over the middle of a window of any size while the program is busy drawing. busyBox() is its place
 /// in pixels, and drawBusyBox() draws it.

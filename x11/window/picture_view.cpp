@@ -202,6 +202,7 @@ void PictureView::draw(Painter paint, const DrawContext& context) {
   colors_ = {shown_.palette, {}};
   if (rowOf(show).hasOwnColors() && context.picture.colors().plan() != ColorPlan::Cube)
     colors_.words = wordsOfOwnColors(show, use_, context.picture.colors().table().first());
+  paint.fillRect(at_.well, context.plan[Cell::Well]);
   paint.place(shown_.image, at_.picture.x, at_.picture.y);
   counts_ = countsOf(context.picture);
   drawColumn(paint, context);
@@ -291,8 +292,8 @@ void PictureView::drawColumn(Painter paint, const DrawContext& context) {
 void PictureView::drawCaption(Painter paint, const DrawContext& context) {
   Pen pen{paint, context.plan};
   const PictureSettings& p = context.setup.picture;
-  const int x = at_.picture.x;
-  int y = at_.picture.y + at_.picture.height + (at_.compact ? 16 : 19);
+  const int x = at_.well.x;
+  int y = at_.well.y + at_.well.height + (at_.compact ? 16 : 19);
   const std::string made = captionOf(context.setup);
   if (at_.compact)
     pen.ink(x, y, made);
@@ -323,7 +324,7 @@ void PictureView::drawCaption(Painter paint, const DrawContext& context) {
   if (at_.compact || inexact.empty() || context.coarse) return;
   int cap = end + 18;
   for (const auto& [key, does] : {std::pair{"O", "next order"}, std::pair{"5", "beside Newell"}}) {
-    if (cap + 20 + textWidth(does) > x + at_.picture.width) break;
+    if (cap + 20 + textWidth(does) > x + at_.well.width) break;
     cap = pen.soft(cap + pen.key(cap, y - 11, key) + 5, y, does) + 12;
   }
 }
@@ -357,9 +358,12 @@ class Walk {
 
   ControlColumn column() && {
     light();
-    section(Section::Surface, "SURFACE", 20);
-    section(Section::Method, "METHOD", 22);
-    section(Section::ColourTable, "COLOUR TABLE", 22);
+    heading("SURFACE", 20);
+    rows(Section::Surface, {Kind::Toggle, Kind::Slider, Kind::Choice});
+    heading("METHOD", 22);
+    rows(Section::Method, {Kind::Toggle, Kind::Slider, Kind::Choice});
+    heading("COLOUR TABLE", 22);
+    rows(Section::ColourTable, {Kind::Toggle, Kind::Choice, Kind::Slider});
     buttons();
     return std::move(column_);
   }
@@ -386,14 +390,12 @@ class Walk {
                       .grip = column_.ball,
                       .bare = true});
     y_ += compact ? 19 : 61;
-    for (const Control& control : controls_)
-      if (control.kind == Kind::Toggle) {
-        add(control, placeInRow(control, x_, y_, narrow));
-        y_ += compact ? 20 : 22;
-      }
+    narrow.pitch = compact ? 20 : 22;
+    rows(Section::Light, {Kind::Toggle}, narrow);
     y_ += compact ? 7 : 11;
     intensities();
     y_ += compact ? 35 : 44;
+    rows(Section::Light, {Kind::Slider, Kind::Choice});
   }
 
   /// The part of the bar that is nearer to a thumb drags this thumb. If both are at one place, the left side
@@ -419,21 +421,25 @@ class Walk {
     }
   }
 
-  void section(Section section, std::string_view name, int advance) {
+  void heading(std::string_view name, int advance) {
     y_ += low_ ? 4 : column_.compact ? 5 : 8;
     column_.headings.push_back({y_, name});
     y_ += low_ ? 17 : column_.compact ? 18 : advance;
-    const auto addAll = [&](Kind kind) {
+  }
+
+  /// A row for each control of a section that has no place yet.
+  void rows(Section section, std::initializer_list<Kind> kinds) { rows(section, kinds, row_); }
+  void rows(Section section, std::initializer_list<Kind> kinds, const RowStyle& style) {
+    for (const Kind kind : kinds)
       for (const Control& control : controls_) {
-        if (control.kind != kind || sectionOf(control.key) != section) continue;
-        ControlPlace place = placeInRow(control, x_, y_, row_);
+        if (control.kind != kind || sectionOf(control.key) != section || has(control)) continue;
+        ControlPlace place = placeInRow(control, x_, y_, style);
         y_ += place.area.height;
         add(control, std::move(place));
       }
-    };
-    if (section != Section::ColourTable) addAll(Kind::Slider);
-    addAll(Kind::Choice);
-    if (section == Section::ColourTable) addAll(Kind::Slider);
+  }
+  [[nodiscard]] bool has(const Control& control) const {
+    return std::ranges::any_of(column_.places, [&](const auto& one) { return one.first == control.id(); });
   }
 
   void buttons() {

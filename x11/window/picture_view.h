@@ -95,6 +95,7 @@ class PictureView : public WindowView {
   void dragTo(int x, int y) override;
   void drop() override;
   [[nodiscard]] Rect picture(const Layout& at) const override { return at.picture; }
+  [[nodiscard]] Rect frame(const Layout& at) const override { return at.picture; }
   [[nodiscard]] bool hasDrawer() const override { return true; }
   void draw(Painter paint, const DrawContext& context) override;
   /// The picture of normals has colours of its own.

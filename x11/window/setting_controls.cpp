@@ -184,7 +184,7 @@ Controls cameraControls(const Setup& shown, const Subject& subject, const Change
   return {{.kind = Kind::Own,
            .key = 't',
            .label = "turn",
-           .is = "turn the scene with the arrows",
+           .is = "turn the scene; its light turns with it, as the ring on the ball shows",
            .move = [=](int along, int up) { turn(change, shown, subject, -2.0 * along, -2.0 * up); },
            .drag =
                [=](int, int, int dx, int dy) {

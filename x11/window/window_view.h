@@ -86,13 +86,18 @@ class WindowView {
   /// outlast the view.
   virtual void enter() {}
   virtual void leave() { list_.leave(); }
+  /// Restores what the view itself has changed: by `r`, and for another scene. Returns false if that is
+  /// nothing.
+  virtual bool reset() { return false; }
   /// True if something moves by itself. Then tick() must be called at regular intervals.
   [[nodiscard]] virtual bool moving() const { return false; }
   virtual void tick() {}
 
-  /// The place of the scene's picture, in units. The workbench makes the picture of all pixels there; the
-  /// view decides what to draw.
+  /// The place of the scene's picture, in units.
   [[nodiscard]] virtual Rect picture(const Layout& at) const = 0;
+  /// As large as the workbench makes the picture: one size for all views, so that a vertex has one I and a
+  /// scene one number of cuts. A view that needs all pixels of its place has its own.
+  [[nodiscard]] virtual Rect frame(const Layout& at) const { return at.frame; }
   /// True if the view's controls can be put away, so that the picture is larger.
   [[nodiscard]] virtual bool hasDrawer() const { return false; }
   /// True if DrawContext::picture must be painted. If false, the picture is never made with coarser settings.

@@ -83,8 +83,7 @@ TEST(CountedSize, IsNamedByTheWindow) {
       b.resize(unit * 800, unit * 540);  // the least window
       b.switchTo(view);
       b.finish();
-      const Rect at =
-          view == View::Picture ? b.bench().picture(b.layout()) : layoutOfSides(b.layout().body).A;
+      const Rect at = b.layout().frame;
       PictureSettings settings = b.setup().picture;
       settings.width = unit * at.width, settings.height = unit * at.height;
       const Count count = countIn(readScene("teapot", 3), settings);

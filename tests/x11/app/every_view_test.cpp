@@ -6,6 +6,7 @@
 #include "tests/support/seeds.h"
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/app/key_lists.h"
+#include "x11/stepper/sort_view.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -85,6 +86,110 @@ TEST(EveryView, EveryKeyAnswers) {
       }
       EXPECT_LE(silent.size(), 8u) << testing::PrintToString(silent);
     }
+}
+
+// Every key cap is a button and every count a link, whatever view has drawn it: a press does something that
+// can be seen, or a sentence says why it does not. What is selected already stays so.
+TEST(EveryView, EveryCapAndCountAnswers) {
+  for (const ViewRow& row : kWindowViews) {
+    xnewell::Setup setup;
+    setup.picture.order = Order::ZSort;
+    setup.picture.light.Ip = 0.8, setup.picture.light.kd = setup.picture.light.ks = 1;
+    ReadyWorkbench b{setup, 1024, 768};
+    b.does(row.key);
+    if (row.id == View::Trade) continue;  // it changes while it measures
+    std::vector<Pointed> pressed;
+    for (const Written& one : b.writing()) {
+      const glm::ivec2 middle{one.place.x + one.place.width / 2, one.place.y + one.place.height / 2};
+      if (one.pitch == 0) pressed.push_back(*pointedAt({one}, middle.x, middle.y));
+      for (const Pointed& link : linksIn(one)) pressed.push_back(link);
+    }
+    EXPECT_GE(pressed.size(), 5u) << row.name;
+    int silent = 0;
+    for (const Pointed& one : pressed) {
+      const std::string what =
+          one.key ? xnewell::nameOf(*one.key) : std::to_string(static_cast<int>(one.lead));
+      SCOPED_TRACE(nameOf(row) + " " + what);
+      if (one.key == Key{'q'}) continue;
+      if (row.id == View::DepthSort) b.press(NamedKey::Home);
+      b.finish();
+      const Seen before{b};
+      (void)b.grab(one.place.x + one.place.width / 2, one.place.y + one.place.height / 2);
+      b.settle();
+      b.finish();
+      const bool answers = Seen{b} != before;
+      silent += !answers;
+      if (one.lead != Lead::None && row.id != View::Lesson) {
+        EXPECT_TRUE(answers);
+      }
+      if (b.isAsking()) b.press(NamedKey::Escape);
+      if (b.moving()) b.press(NamedKey::Space);
+      b.type("1r");
+      b.does(row.key);
+    }
+    EXPECT_LE(silent, 3) << row.name;
+  }
+}
+
+// A count leads to what it counts, and Esc goes back to the place from which one came.
+TEST(EveryView, CountsLeadToWhatTheyCount) {
+  xnewell::Setup setup;
+  setup.picture.order = Order::ZSort;
+  setup.picture.light.Ip = 0.8, setup.picture.light.kd = setup.picture.light.ks = 1;
+  for (const auto& [lead, view] :
+       {std::pair{Lead::Clamped, View::Pixel}, {Lead::Wrong, View::Pixel}, {Lead::Cut, View::DepthSort}}) {
+    setup.picture.order = lead == Lead::Cut ? Order::Newell : Order::ZSort;
+    ReadyWorkbench b{setup};
+    std::optional<Pointed> link;
+    for (const Written& one : b.writing())
+      for (const Pointed& found : linksIn(one))
+        if (found.lead == lead) link = found;
+    ASSERT_TRUE(link) << static_cast<int>(lead);
+    (void)b.grab(link->place.x + 3, link->place.y + 5);
+    b.finish();
+    ASSERT_EQ(b.view(), view) << b.panel().notice;
+    if (view == View::DepthSort) {
+      EXPECT_EQ(b.stepper().run()->landmarks().count(Landmark::Cut, b.stepper().view().step), 1);
+    } else {
+      const std::string line = b.panel().status;
+      EXPECT_EQ(line.find("ground"), line.npos) << line;
+    }
+    b.does(NamedKey::Escape);
+    EXPECT_EQ(b.view(), View::Picture);
+  }
+}
+
+// One framing: in every view the scene has the camera of view 1, so a vertex has one I; and where the picture
+// has the size of view 1's, also its cuts and clamped values. A click in view 1 explains the very pixel.
+TEST(EveryView, OnePictureOfTheScene) {
+  for (const char* scene : someOf({"teapot", "cycle", "cubes", "penetrate", "spotlight", "hues", "highlight",
+                                   "lamp", "saturated", "coarse-teapot"},
+                                  3)) {
+    xnewell::Setup setup;
+    setup.picture.shading = Shading::Gouraud;
+    ReadyWorkbench b{setup, 1024, 768, scene};
+    const Picture first = b.picture();
+    const Rect at = b.layout().picture;
+    for (const ViewRow& row : kWindowViews) {
+      if (row.id == View::Lesson) continue;
+      SCOPED_TRACE(scene + nameOf(row));
+      b.press(row.key);
+      b.update();
+      EXPECT_TRUE(b.picture().camera() == first.camera());
+      if (row.id == View::MachBands) continue;
+      EXPECT_EQ(b.picture().snapped().vertices, first.snapped().vertices);
+      if (row.id == View::DepthSort) continue;  // the textbook's run, which view 1 need not take
+      EXPECT_EQ(b.picture().sorted().statistics.splits, first.sorted().statistics.splits);
+    }
+    for (const glm::ivec2 pixel :
+         {glm::ivec2{0, 0}, {at.width / 2, at.height - 1}, {at.width - 1, at.height / 3}}) {
+      b.does('1');
+      (void)b.grab(at.x + pixel.x, at.y + pixel.y);
+      b.settle();
+      b.finish();
+      EXPECT_EQ(b.place().pixel, pixel) << scene;
+    }
+  }
 }
 
 // Every view draws every method, in ramps and in colours.

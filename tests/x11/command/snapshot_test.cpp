@@ -207,7 +207,7 @@ TEST(Snapshot, RefusesOtherPlaces) {
   const TemporaryFolder folder;
   const std::string file = folder.file("picture.png");
   for (const auto& [place, why] :
-       {std::pair{"pixel --pixel 900,900", "pixel 900,900 lies outside the picture of 404x269"},
+       {std::pair{"pixel --pixel 900,900", "pixel 900,900 lies outside the picture of 654x436"},
         {"viewing --step 9", "--step 9 is not in --view viewing: the nearest is 7"},
         {"viewing --viewing 99999", "--viewing: the scene has no vertex 99999: it has "},
         {"scanline --scanline 99999", "--scanline: the picture of teapot has no face 99999"},

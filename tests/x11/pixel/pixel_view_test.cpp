@@ -21,7 +21,7 @@ struct PixelWindow : ReadyWorkbench {
   [[nodiscard]] int cellThere() const {
     int i = 0, j = 0;
     EXPECT_EQ(std::sscanf(status().c_str(), "pixel %d, %d", &i, &j), 2) << status();
-    const Rect at = bench().picture(layout());
+    const Rect at = bench().frame(layout());
     PictureSettings settings = setup().picture;
     settings.width = at.width, settings.height = at.height;
     PictureCache pictures{readScene("teapot", 3)};
@@ -36,7 +36,7 @@ struct PixelWindow : ReadyWorkbench {
 TEST(PixelView, AClickExplains) {
   ReadyWorkbench b;
   const Rect at = b.layout().picture;
-  const int x = at.x + at.width / 2 + 120, y = at.y + at.height / 2 - 40;
+  const int x = at.x + at.width / 2 + 60, y = at.y + at.height / 2;
   const std::uint32_t face =
       b.picture().faceImage()[static_cast<std::size_t>(y - at.y) * at.width + (x - at.x)] - 1;
   ASSERT_TRUE(b.grab(x, y));
@@ -44,7 +44,6 @@ TEST(PixelView, AClickExplains) {
   b.settle();
   b.finish();
   EXPECT_EQ(b.view(), View::Pixel);
-  // The pictures of the two views have other shapes: the face is the same, not the share of the width.
   EXPECT_NE(b.bench().status().find(": face " + std::to_string(face)), std::string::npos)
       << b.bench().status();
   EXPECT_EQ(b.setup(), b.defaults()) << "nothing was turned";
@@ -88,7 +87,10 @@ TEST(PixelView, TheMouseChoosesThePixel) {
   ASSERT_TRUE(b.grab(at.x + 30, at.y + 40));
   b.settle();
   b.finish();
-  EXPECT_TRUE(b.status().starts_with("pixel 30, 40 of ")) << b.status();
+  const Rect all = b.bench().frame(b.layout());  // shown smaller
+  const int i = 61 * all.width / (2 * at.width), j = 81 * all.height / (2 * at.height);
+  EXPECT_TRUE(b.status().starts_with("pixel " + std::to_string(i) + ", " + std::to_string(j) + " of "))
+      << b.status();
 }
 
 // A changed setting keeps the pixel. In any method the cell that is explained is the one that the window

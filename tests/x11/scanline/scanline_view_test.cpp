@@ -210,7 +210,7 @@ TEST(ScanlineView, EightExplainsThePixel) {
 // The words fit their box in a small window.
 TEST(ScanlineView, AFlatSurfaceHasNoShortNormals) {
   int flat = 0;
-  for (const char* scene : {"colored-lights", "teapot"}) {
+  for (const char* scene : {"cycle", "teapot"}) {
     ScanlineWindow b{Shading::Phong, scene};
     const Finding finding = findingOf(b.run(), nullptr);
     const bool says = finding.bold.find("its length is not 1") != std::string::npos;

@@ -51,7 +51,7 @@ class StagedView : public Host {
   void press(WindowView& bench, NamedKey name) { taken = bench.press({name}); }
 
   void draw(WindowView& bench, bool dragging = false) {
-    const Rect at = bench.picture(layout);
+    const Rect at = bench.frame(layout);
     PictureSettings s = bench.painted(now).picture;
     s.width = at.width, s.height = at.height;
     plan = CellPlan{s.table.kind};

@@ -71,7 +71,11 @@ class Stepper : private Host {
   [[nodiscard]] SortRun& run() { return *bench.run(); }
   [[nodiscard]] std::vector<int> stepsOf(Landmark kind) { return run().landmarks().steps(kind); }
   [[nodiscard]] const Event& event() { return run().sorted().events[step() - 1]; }
-  [[nodiscard]] SortLayout places() const { return layoutOfSort(layout_.body); }
+  [[nodiscard]] SortLayout places() const {
+    SortLayout at = layoutOfSort(layout_.body);
+    at.picture = bench.picture(layout_);
+    return at;
+  }
   [[nodiscard]] const IndexImage& image() const { return image_; }
 
  private:

@@ -25,7 +25,7 @@ struct ViewingWindow : ReadyWorkbench {
   }
   [[nodiscard]] Camera camera() const { return placeCamera(scene(), setup().picture.camera, aspect()); }
   [[nodiscard]] double aspect() const {
-    const Rect at = bench().picture(layout());
+    const Rect at = bench().frame(layout());
     return static_cast<double>(at.width) / at.height;
   }
   /// Types the value of the control that is selected.

@@ -107,6 +107,9 @@ TEST(ColorsWindow, EffectsAreColorsAlone) {
   };
   for (int k = 0; k < 5; ++k) changesColors([&] { b.tick(); });
   changesColors([&] { b.type("h"); });
+  b.release('h');  // a tap keeps it lit, and another one ends that
+  EXPECT_EQ(b.stale(), Stale::Nothing);
+  b.type("h");
   changesColors([&] { b.release('h'); });
   EXPECT_EQ(b.stale(), Stale::Nothing);
   EXPECT_EQ(b.image(), image);
