@@ -27,70 +27,51 @@ void addAllowed(std::vector<Hypothesis>& all) {
                [](W& w) { w.light = TowardsLight::Constant; }),
        allowed("V-constant", "V", "V is the same everywhere, as of an eye far away.",
                [](W& w) { w.eye = TowardsEye::Constant; }),
-       allowed(
-           "V-constant", "V", "V is the same everywhere, as of an eye far away.",
-           [](W& w) { w.eye = TowardsEye::Constant, w.turnsByV = true; }, isTwoSided),
+       allowed("V-constant", "V", "V is the same everywhere, as of an eye far away.", isTwoSided,
+               [](W& w) { w.eye = TowardsEye::Constant, w.turnsByV = true; }),
        allowed("half-vector", "R.V", "The highlight is (N.H)^n, with the halfway vector.",
                [](W& w) { w.cosine = CosineWay::Halfway; }),
        allowed("half-vector-V-constant", "R.V; V", "The highlight is (N.H)^n, and V is the same everywhere.",
                [](W& w) { w.cosine = CosineWay::Halfway, w.eye = TowardsEye::Constant; }),
        allowed("NL-to-the-n", "R.V", "The highlight is (N.L)^n, as in the tutorial.",
                [](W& w) { w.cosine = CosineWay::Facing; }),
-       allowed(
-           "first-corner", "P", "The equation is evaluated at a face's first corner.",
-           [](W& w) { w.centroid = CentroidWay::FirstCorner; }, isFlat),
-       allowed(
-           "mean-of-corners", "P", "The equation is evaluated at the mean of a face's corners.",
-           [](W& w) { w.centroid = CentroidWay::MeanOfCorners; }, isFlat),
-       allowed(
-           "triangles-apart", "P", kTriangles, [](W& w) { w.centroid = CentroidWay::OfTriangle; }, isFlat),
-       allowed(
-           "triangles-apart", "P", kTriangles,
-           [](W& w) { w.centroid = CentroidWay::OfTriangle, w.otherDiagonal = true; }, isFlat),
-       allowed(
-           "three-corners", "N", kThree, [](W& w) { w.normal = NormalWay::ThreeCorners; }, isFlat),
-       allowed(
-           "three-corners", "N", kThree, [](W& w) { w.normal = NormalWay::ThreeCorners, w.threeFrom = 1; },
-           isFlat),
-       allowed(
-           "three-corners", "N", kThree, [](W& w) { w.normal = NormalWay::ThreeCorners, w.threeFrom = 2; },
-           isFlat),
-       allowed(
-           "three-corners", "N", kThree, [](W& w) { w.normal = NormalWay::ThreeCorners, w.threeFrom = 3; },
-           isFlat),
-       allowed(
-           "other-diagonal", "method", "Polygons are cut along the other diagonal.",
-           [](W& w) { w.otherDiagonal = true; }, hasVertices),
-       allowed(
-           "by-rows", "method", "Intensities are interpolated along edges, then along rows.",
-           [](W& w) { w.byRows = true; }, isGouraud),
-       allowed(
-           "clamped-late", "I", "I is clamped at the pixels, not at the vertices.",
-           [](W& w) { w.clampsLate = true; }, isGouraud),
-       allowed(
-           "cells-between", "color(I)", "Numbers of cells are interpolated, not intensities.",
-           [](W& w) { w.cellsBetween = true; }, isGouraud),
-       allowed(
-           "affine", "N", "Normals are interpolated over the screen, without perspective.",
-           [](W& w) { w.onScreen = true; }, isPhong),
-       allowed(
-           "VN-sum", "N at a vertex", "N at a vertex is the sum of the normals of the faces there.",
-           [](W& w) { w.vertex = VertexWay::Sum; }, hasVertices),
-       allowed(
-           "VN-distinct", "N at a vertex", "N at a vertex counts each plane there once.",
-           [](W& w) { w.vertex = VertexWay::Distinct; }, hasVertices),
-       allowed(
-           "VN-area", "N at a vertex", "N at a vertex weighs the faces by area.",
-           [](W& w) { w.vertex = VertexWay::Area; }, hasVertices),
-       allowed(
-           "VN-angle", "N at a vertex", "N at a vertex weighs the faces by angle.",
-           [](W& w) { w.vertex = VertexWay::Angle; }, hasVertices),
-       allowed(
-           "VN-patch", "N at a vertex", "N at a vertex is the normal of the patch or of the file.",
-           [](W& w) { w.vertex = VertexWay::Patch; }, hasVertices),
-       allowed(
-           "8-bits", "table", "Stored values are rounded to 8 bits, not to 16.",
-           [](W& w) { w.store = StoreWay::Rounded8; }, isCorrected),
+       allowed("first-corner", "P", "The equation is evaluated at a face's first corner.", isFlat,
+               [](W& w) { w.centroid = CentroidWay::FirstCorner; }),
+       allowed("mean-of-corners", "P", "The equation is evaluated at the mean of a face's corners.", isFlat,
+               [](W& w) { w.centroid = CentroidWay::MeanOfCorners; }),
+       allowed("triangles-apart", "P", kTriangles, isFlat,
+               [](W& w) { w.centroid = CentroidWay::OfTriangle; }),
+       allowed("triangles-apart", "P", kTriangles, isFlat,
+               [](W& w) { w.centroid = CentroidWay::OfTriangle, w.otherDiagonal = true; }),
+       allowed("three-corners", "N", kThree, isFlat, [](W& w) { w.normal = NormalWay::ThreeCorners; }),
+       allowed("three-corners", "N", kThree, isFlat,
+               [](W& w) { w.normal = NormalWay::ThreeCorners, w.threeFrom = 1; }),
+       allowed("three-corners", "N", kThree, isFlat,
+               [](W& w) { w.normal = NormalWay::ThreeCorners, w.threeFrom = 2; }),
+       allowed("three-corners", "N", kThree, isFlat,
+               [](W& w) { w.normal = NormalWay::ThreeCorners, w.threeFrom = 3; }),
+       allowed("other-diagonal", "method", "Polygons are cut along the other diagonal.", hasVertices,
+               [](W& w) { w.otherDiagonal = true; }),
+       allowed("by-rows", "method", "Intensities are interpolated along edges, then along rows.", isGouraud,
+               [](W& w) { w.byRows = true; }),
+       allowed("clamped-late", "I", "I is clamped at the pixels, not at the vertices.", isGouraud,
+               [](W& w) { w.clampsLate = true; }),
+       allowed("cells-between", "color(I)", "Numbers of cells are interpolated, not intensities.", isGouraud,
+               [](W& w) { w.cellsBetween = true; }),
+       allowed("affine", "N", "Normals are interpolated over the screen, without perspective.", isPhong,
+               [](W& w) { w.onScreen = true; }),
+       allowed("VN-sum", "N at a vertex", "N at a vertex is the sum of the normals of the faces there.",
+               hasVertices, [](W& w) { w.vertex = VertexWay::Sum; }),
+       allowed("VN-distinct", "N at a vertex", "N at a vertex counts each plane there once.", hasVertices,
+               [](W& w) { w.vertex = VertexWay::Distinct; }),
+       allowed("VN-area", "N at a vertex", "N at a vertex weighs the faces by area.", hasVertices,
+               [](W& w) { w.vertex = VertexWay::Area; }),
+       allowed("VN-angle", "N at a vertex", "N at a vertex weighs the faces by angle.", hasVertices,
+               [](W& w) { w.vertex = VertexWay::Angle; }),
+       allowed("VN-patch", "N at a vertex", "N at a vertex is the normal of the patch or of the file.",
+               hasVertices, [](W& w) { w.vertex = VertexWay::Patch; }),
+       allowed("8-bits", "table", "Stored values are rounded to 8 bits, not to 16.", isCorrected,
+               [](W& w) { w.store = StoreWay::Rounded8; }),
        allowed("stores-255-I", "color(I)", kStores255, [](W& w) { w.store = StoreWay::By255; }),
        allowed("stores-255-I", "color(I)", kStores255,
                [](W& w) { w.store = StoreWay::By255, w.cell = CellWay::Truncated; }),
@@ -141,40 +122,34 @@ void addEquation(std::vector<Hypothesis>& all) {
        shared(Mistake::NotUnitN, "N", [](W& w) { w.normal = NormalWay::Newell; }),
        shared(Mistake::NotUnitN, "N", [](W& w) { w.normal = NormalWay::CornerProduct; }),
        shared(Mistake::InwardN, "N", [](W& w) { w.normal = NormalWay::Inward; }),
-       wrong(
-           "N-one-sided", "N",
-           "N is not turned towards the eye, so faces seen from behind are lit as their "
-           "fronts.",
-           [](W& w) { w.twoSided = false; }, isTwoSided),
+       wrong("N-one-sided", "N",
+             "N is not turned towards the eye, so faces seen from behind are lit as their "
+             "fronts.",
+             isTwoSided, [](W& w) { w.twoSided = false; }),
        wrong("N-in-view-coords", "N", "N is in viewing coordinates, but L and V are in the world's.",
              [](W& w) { w.normal = NormalWay::InViewing; }),
-       wrong(
-           "N-in-view-coords", "N", "N is in viewing coordinates, but L and V are in the world's.",
-           [](W& w) { w.normal = NormalWay::InViewing, w.turnsByV = true; }, isTwoSided),
+       wrong("N-in-view-coords", "N", "N is in viewing coordinates, but L and V are in the world's.",
+             isTwoSided, [](W& w) { w.normal = NormalWay::InViewing, w.turnsByV = true; }),
        wrong("N-after-projection", "N", "N is the normal of the projected corners.",
              [](W& w) { w.normal = NormalWay::Warped; }),
        wrong("N-after-projection", "N", "N is the normal of the projected corners.",
              [](W& w) { w.normal = NormalWay::WarpedDeep; }),
        wrong("N-after-projection", "N", "N is the normal of the projected corners.",
              [](W& w) { w.normal = NormalWay::WarpedInPixels; }),
-       wrong(
-           "VN-triangles-twice", "N at a vertex",
-           "N at a vertex sums triangles, so a polygon that was cut in two counts twice.",
-           [](W& w) { w.vertex = VertexWay::TrianglesTwice; }, hasVertices),
-       wrong(
-           "VN-last-face", "N at a vertex", "N at a vertex is that of the last face there: = in place of +=.",
-           [](W& w) { w.vertex = VertexWay::LastFace; }, hasVertices),
-       wrong(
-           "VN-own-face", "N at a vertex", "N at a vertex is the normal of the face itself.",
-           [](W& w) { w.vertex = VertexWay::OwnFace; }, hasVertices),
-       wrong(
-           "VN-sum-not-unit", "N at a vertex", "N at a vertex is a sum that is not divided by its length.",
-           [](W& w) { w.vertex = VertexWay::SumNotUnit; }, hasVertices),
-       wrong(
-           "VN-mean-not-unit", "N at a vertex",
-           "N at a vertex is a mean, which is shorter than a unit "
-           "vector.",
-           [](W& w) { w.vertex = VertexWay::MeanNotUnit; }, hasVertices),
+       wrong("VN-triangles-twice", "N at a vertex",
+             "N at a vertex sums triangles, so a polygon that was cut in two counts twice.", hasVertices,
+             [](W& w) { w.vertex = VertexWay::TrianglesTwice; }),
+       wrong("VN-last-face", "N at a vertex",
+             "N at a vertex is that of the last face there: = in place of +=.", hasVertices,
+             [](W& w) { w.vertex = VertexWay::LastFace; }),
+       wrong("VN-own-face", "N at a vertex", "N at a vertex is the normal of the face itself.", hasVertices,
+             [](W& w) { w.vertex = VertexWay::OwnFace; }),
+       wrong("VN-sum-not-unit", "N at a vertex", "N at a vertex is a sum that is not divided by its length.",
+             hasVertices, [](W& w) { w.vertex = VertexWay::SumNotUnit; }),
+       wrong("VN-mean-not-unit", "N at a vertex",
+             "N at a vertex is a mean, which is shorter than a unit "
+             "vector.",
+             hasVertices, [](W& w) { w.vertex = VertexWay::MeanNotUnit; }),
        shared(Mistake::ReversedL, "L", [](W& w) { w.light = TowardsLight::Away; }),
        wrong("L-not-unit", "L", "L is not divided by its length.",
              [](W& w) { w.light = TowardsLight::NotUnit; }),
@@ -192,9 +167,8 @@ void addEquation(std::vector<Hypothesis>& all) {
        wrong("V-not-unit", "V", "V is not divided by its length.", [](W& w) { w.eye = TowardsEye::NotUnit; }),
        wrong("V-is-eye", "V", "V is the place of the eye, without - P.",
              [](W& w) { w.eye = TowardsEye::PlaceOfEye; }),
-       wrong(
-           "V-is-eye", "V", "V is the place of the eye, without - P.",
-           [](W& w) { w.eye = TowardsEye::PlaceOfEye, w.turnsByV = true; }, isTwoSided),
+       wrong("V-is-eye", "V", "V is the place of the eye, without - P.", isTwoSided,
+             [](W& w) { w.eye = TowardsEye::PlaceOfEye, w.turnsByV = true; }),
        wrong("V-from-look-at", "V", "V points to the look-at point, not to the eye.",
              [](W& w) { w.eye = TowardsEye::FromLookAt; }),
        shared(Mistake::ReversedR, "R", [](W& w) { w.cosine = CosineWay::Reversed; }),
@@ -252,24 +226,21 @@ void addEquation(std::vector<Hypothesis>& all) {
 
 void addMethods(std::vector<Hypothesis>& all) {
   all.insert(all.end(),
-             {wrong(
-                  "method-flat", "method", "The faces are shaded flat.",
-                  [](W& w) { w.method = Shading::Flat; }, hasVertices),
+             {wrong("method-flat", "method", "The faces are shaded flat.", hasVertices,
+                    [](W& w) { w.method = Shading::Flat; }),
               wrong(
                   "method-gouraud", "method", "The faces have Gouraud shading.",
-                  [](W& w) { w.method = Shading::Gouraud; }, [](const S& s) { return !isGouraud(s); }),
+                  [](const S& s) { return !isGouraud(s); }, [](W& w) { w.method = Shading::Gouraud; }),
               wrong(
                   "method-phong", "method", "The faces have Phong shading.",
-                  [](W& w) { w.method = Shading::Phong; }, [](const S& s) { return !isPhong(s); }),
+                  [](const S& s) { return !isPhong(s); }, [](W& w) { w.method = Shading::Phong; }),
               wrong("depth-cue", "method", "The faces are shaded by depth: nearer is brighter.",
                     [](W& w) { w.method = Shading::Depth; }),
-              wrong(
-                  "gouraud-averages-faces", "method",
-                  "A vertex has the mean of the intensities of its faces, not that of its own N.",
-                  [](W& w) { w.meansOfFaces = true; }, isGouraud),
-              wrong(
-                  "phong-not-renormalised", "N", "Interpolated normals are not made unit vectors again.",
-                  [](W& w) { w.longNormals = true; }, isPhong)});
+              wrong("gouraud-averages-faces", "method",
+                    "A vertex has the mean of the intensities of its faces, not that of its own N.",
+                    isGouraud, [](W& w) { w.meansOfFaces = true; }),
+              wrong("phong-not-renormalised", "N", "Interpolated normals are not made unit vectors again.",
+                    isPhong, [](W& w) { w.longNormals = true; })});
 }
 
 std::vector<Hypothesis> allRows() {

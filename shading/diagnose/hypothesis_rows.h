@@ -27,15 +27,24 @@ using S = PictureSettings;
   return {row.name, row.is, term, Meaning::Wrong, change, nullptr};
 }
 
+/// `applies` may be left out.
 [[nodiscard]] inline Hypothesis wrong(std::string_view key, std::string_view term, std::string_view sentence,
-                                      void (*change)(W&), bool (*applies)(const S&) = nullptr) {
+                                      bool (*applies)(const S&), void (*change)(W&)) {
   return {key, sentence, term, Meaning::Wrong, change, applies};
+}
+[[nodiscard]] inline Hypothesis wrong(std::string_view key, std::string_view term, std::string_view sentence,
+                                      void (*change)(W&)) {
+  return wrong(key, term, sentence, nullptr, change);
 }
 
 [[nodiscard]] inline Hypothesis allowed(std::string_view key, std::string_view term,
-                                        std::string_view sentence, void (*change)(W&),
-                                        bool (*applies)(const S&) = nullptr) {
+                                        std::string_view sentence, bool (*applies)(const S&),
+                                        void (*change)(W&)) {
   return {key, sentence, term, Meaning::Allowed, change, applies};
+}
+[[nodiscard]] inline Hypothesis allowed(std::string_view key, std::string_view term,
+                                        std::string_view sentence, void (*change)(W&)) {
+  return allowed(key, term, sentence, nullptr, change);
 }
 
 [[nodiscard]] inline Hypothesis numbers(std::string_view key, std::string_view term,

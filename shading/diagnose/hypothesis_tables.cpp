@@ -13,54 +13,40 @@ void addTables(std::vector<Hypothesis>& all) {
        wrong("cell-one-more", color, "The first cell is one too high.",
              [](W& w) { w.cell = CellWay::OneMore; }),
        wrong("cell-ceil", color, "color(I) is rounded up.", [](W& w) { w.cell = CellWay::Upwards; }),
-       wrong(
-           "cell-240I", color, "color(I) has 240 I, not 239 I.", [](W& w) { w.cell = CellWay::By240; },
-           isEvenTable),
-       wrong(
-           "cell-255I", color, "color(I) has 255 I, not 239 I.", [](W& w) { w.cell = CellWay::By255; },
-           isEvenTable),
+       wrong("cell-240I", color, "color(I) has 240 I, not 239 I.", isEvenTable,
+             [](W& w) { w.cell = CellWay::By240; }),
+       wrong("cell-255I", color, "color(I) has 255 I, not 239 I.", isEvenTable,
+             [](W& w) { w.cell = CellWay::By255; }),
        wrong("cell-floor", color, "color(I) is cut off, not rounded.",
              [](W& w) { w.cell = CellWay::Truncated; }),
        wrong("cell-first-forgotten", color, "The first cell is forgotten: shades begin at cell 0.",
              [](W& w) { w.cell = CellWay::FromZero; }),
-       wrong(
-           "cell-log-in-linear", color, "color(I) has the logarithm, but the table is even.",
-           [](W& w) { w.cell = CellWay::Ratios; }, isEvenTable),
-       wrong(
-           "cell-natural-log", color, "The logarithm is to the base e, not r.",
-           [](W& w) { w.cell = CellWay::NaturalLog; }, isCorrected),
-       wrong(
-           "cell-I0-forgotten", color, "The logarithm is that of I, not of I/I0.",
-           [](W& w) { w.cell = CellWay::NoI0; }, isCorrected),
-       wrong(
-           "cell-I0-forgotten", color, "The logarithm is that of I, not of I/I0.",
-           [](W& w) { w.cell = CellWay::NoI0Wraps; }, isCorrected),
-       wrong(
-           "cell-linear-in-corrected", color, "color(I) is even, but the table is corrected.",
-           [](W& w) { w.cell = CellWay::Even; }, isCorrected),
-       wrong(
-           "table-i-11", table, "Cell i holds (i - 11)/255.", [](W& w) { w.store = StoreWay::Minus11; },
-           isLinear),
+       wrong("cell-log-in-linear", color, "color(I) has the logarithm, but the table is even.", isEvenTable,
+             [](W& w) { w.cell = CellWay::Ratios; }),
+       wrong("cell-natural-log", color, "The logarithm is to the base e, not r.", isCorrected,
+             [](W& w) { w.cell = CellWay::NaturalLog; }),
+       wrong("cell-I0-forgotten", color, "The logarithm is that of I, not of I/I0.", isCorrected,
+             [](W& w) { w.cell = CellWay::NoI0; }),
+       wrong("cell-I0-forgotten", color, "The logarithm is that of I, not of I/I0.", isCorrected,
+             [](W& w) { w.cell = CellWay::NoI0Wraps; }),
+       wrong("cell-linear-in-corrected", color, "color(I) is even, but the table is corrected.", isCorrected,
+             [](W& w) { w.cell = CellWay::Even; }),
+       wrong("table-i-11", table, "Cell i holds (i - 11)/255.", isLinear,
+             [](W& w) { w.store = StoreWay::Minus11; }),
        wrong("table-8-bit-in-16", table, "Values up to 255 are stored where the server takes up to 65535.",
              [](W& w) { w.store = StoreWay::EightIn16; }),
-       wrong(
-           "table-r-240-steps", table, "r has 240 steps from I0 to 1, not 239.",
-           [](W& w) { w.store = StoreWay::Ratio240; }, isCorrected),
-       wrong(
-           "table-r-240-steps", table, "r has 240 steps from I0 to 1, not 239.",
-           [](W& w) { w.store = StoreWay::Ratio240, w.cell = CellWay::Ratio240; }, isCorrected),
-       wrong(
-           "table-r-64-steps", table, "r is that of a table of 64 shades.",
-           [](W& w) { w.store = StoreWay::Ratio64, w.cell = CellWay::Ratio64; }, isCorrected),
-       wrong(
-           "table-linear", table, "The table and color(I) are even, as in linear.",
-           [](W& w) { w.table = TableKind::Linear; }, isCorrected),
-       wrong(
-           "table-corrected", table, "The table and color(I) have equal ratios, as in corrected.",
-           [](W& w) { w.table = TableKind::Corrected; }, isEvenTable),
-       wrong(
-           "table-r-64-steps", table, "r is that of a table of 64 shades.",
-           [](W& w) { w.store = StoreWay::Ratio64; }, isCorrected),
+       wrong("table-r-240-steps", table, "r has 240 steps from I0 to 1, not 239.", isCorrected,
+             [](W& w) { w.store = StoreWay::Ratio240; }),
+       wrong("table-r-240-steps", table, "r has 240 steps from I0 to 1, not 239.", isCorrected,
+             [](W& w) { w.store = StoreWay::Ratio240, w.cell = CellWay::Ratio240; }),
+       wrong("table-r-64-steps", table, "r is that of a table of 64 shades.", isCorrected,
+             [](W& w) { w.store = StoreWay::Ratio64, w.cell = CellWay::Ratio64; }),
+       wrong("table-linear", table, "The table and color(I) are even, as in linear.", isCorrected,
+             [](W& w) { w.table = TableKind::Linear; }),
+       wrong("table-corrected", table, "The table and color(I) have equal ratios, as in corrected.",
+             isEvenTable, [](W& w) { w.table = TableKind::Corrected; }),
+       wrong("table-r-64-steps", table, "r is that of a table of 64 shades.", isCorrected,
+             [](W& w) { w.store = StoreWay::Ratio64; }),
        wrong("table-reversed", table, "The table runs from bright to dark.",
              [](W& w) { w.store = StoreWay::Backwards; })});
 }

@@ -258,10 +258,17 @@ namespace {
 
 std::string_view tableName(TableKind kind) { return kTables[static_cast<std::size_t>(kind)].name; }
 
+std::string numbersText(const glm::dvec4& v) {
+  std::string text = shortNumber(v[0]);
+  for (int k = 1; k < 4; ++k) text += ',' + shortNumber(v[k]);
+  return text;
+}
+
 std::string optionsOf(const PartingPicture& picture) {
   return std::string{picture.scene} + " --size " + std::to_string(kPartingSize.x) + "x" +
          std::to_string(kPartingSize.y) + " --shade " + std::string{rowOf(picture.method).name} +
-         " --table " + std::string{tableName(picture.table)};
+         " --table " + std::string{tableName(picture.table)} +
+         (picture.window ? " --view-window=" + numbersText(*picture.window) : "");
 }
 
 /// What is shown at a pixel: the value, or the cell if only cells tell.
@@ -309,6 +316,7 @@ page::Page pageOf(std::string_view a, std::string_view b, const SceneFor& found)
   s.fact("size", kPartingSize);
   s.fact("shade", rowOf(found.picture->method).name);
   s.fact("table", tableName(found.picture->table));
+  if (const auto& w = found.picture->window) s.fact("view_window", List{w->x, w->y, w->z, w->w});
   s.fact("pixel", List{p.i, p.j});
   s.fact("face", p.face);
   s.fact("by_cells", found.byCells);

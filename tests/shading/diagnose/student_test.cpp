@@ -156,6 +156,17 @@ TEST(Diagnose, NamesThePlantedMistakeOnTheTeapot) {
   EXPECT_GE(c.oneName, (c.planted - c.invisible) * 80 / 100) << c.unclear;
 }
 
+// With flat shading, where a face has one value, a mistake that is in no list gets no name, and is not right.
+TEST(Diagnose, HasNoNameForWhatIsNotInTheList) {
+  Students students{"bench-n3", Shading::Flat, TableKind::Linear};
+  for (const std::string key :
+       {"half-lambert", "squared", "root", "ambient-by-NV", "NV", "product", "abs-N", "step", "rim"}) {
+    const Diagnosis d = students.diagnosed({.mistake = "off-" + key});
+    EXPECT_FALSE(isRight(d)) << key;
+    EXPECT_NE(d.verdict, Marking::Mistake) << key << ": " << d.found[0].first->key;
+  }
+}
+
 // A right picture is right: with the course's variants, orders and other rules for edges.
 TEST(Diagnose, AccusesNoRightPicture) {
   for (const std::string scene : someOf({"bench-n3", "teapot"}, 1))
