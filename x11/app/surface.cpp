@@ -52,7 +52,12 @@ int Surface::tick() {
 int runViewer(const Options& options, Scene scene, std::optional<Lesson> lesson,
               const std::function<void()>& shown) {
   return showWindow(
-      options, std::move(scene), [&](Workbench& bench) { bench.begin(options, std::move(lesson)); }, shown);
+      options, std::move(scene),
+      [&](Workbench& bench) {
+        bench.begin(options, std::move(lesson));
+        if (options.command == Command::View && options.given.empty()) bench.welcome();
+      },
+      shown);
 }
 
 int runLecture(const Options& options, std::vector<Page> pages, const std::function<void()>& shown) {

@@ -40,7 +40,12 @@ Workbench::Workbench(Scene scene, const Setup& setup, Server server)
     return bench;
   };
   const auto subject = [this] { return this->subject(); };
-  own(View::Picture, std::make_unique<PictureView>(*this, subject));
+  picture_ = own(View::Picture, std::make_unique<PictureView>(*this, subject, [this] {
+                   std::vector<bool> done;
+                   for (const LessonEntry& lesson : lessons_->entries())
+                     done.push_back(!lessons_->score(lesson.name).empty());
+                   return done;
+                 }));
   stepper_ = own(View::DepthSort, std::make_unique<SortView>(*this));
   colors_ = own(View::Colors, std::make_unique<ColorsView>(*this));
   bands_ = own(View::MachBands, std::make_unique<MachBandsView>(*this, subject));
@@ -95,6 +100,8 @@ void Workbench::takeNextScale() {
   scale(next);
   tell("scale " + std::to_string(next) + " of " + std::to_string(most));
 }
+
+void Workbench::welcome() { picture_->welcome(); }
 
 void Workbench::teach(Lesson lesson, int step) {
   switchTo(View::Lesson);
@@ -239,6 +246,11 @@ WindowPlace Workbench::place() const {
 void Workbench::explain(double x, double y) {
   pixel_->choose(x, y);
   switchTo(View::Pixel);
+}
+
+void Workbench::explainWrong() {
+  update();  // the picture that was just asked for
+  follow({.place = {}, .lead = Lead::Wrong});
 }
 
 void Workbench::sortFrom(int step) {

@@ -17,6 +17,7 @@ namespace xnewell {
 
 class ColorsView;
 class MachBandsView;
+class PictureView;
 class PixelView;
 class ScanlineView;
 class SideBySideView;
@@ -71,6 +72,8 @@ class Workbench : public Host {
   void goTo(const WindowPlace& place);
   /// Begins where the options of a window say: in the lesson, in the list of lessons, or at a place.
   void begin(const Options& options, std::optional<Lesson> lesson);
+  /// For somebody who starts without a wish: few controls, and the opening page over the picture.
+  void welcome();
   /// Shows a lesson, beginning with this step; 0 is the first.
   void teach(Lesson lesson, int step = 0);
   /// For code that draws the frames of a lesson or of the stepper.
@@ -172,6 +175,7 @@ class Workbench : public Host {
   void close() override;
   void switchTo(View view) override;
   void explain(double x, double y) override;
+  void explainWrong() override;
   void sortFrom(int step) override;
   void fill(const std::string& polygon) override;
   void compare(const Setup& B) override;
@@ -276,6 +280,7 @@ class Workbench : public Host {
   std::array<std::unique_ptr<WindowView>, kWindowViews.size()> benches_;
   LessonView* lessons_;  ///< one of the benches
   SortView* stepper_;    ///< another one
+  PictureView* picture_;
   ColorsView* colors_;
   MachBandsView* bands_;
   SideBySideView* sides_;  ///< and another
@@ -284,15 +289,15 @@ class Workbench : public Host {
   ScanlineView* scanline_;
   View view_ = View::Picture;
   std::vector<WindowPlace> came_;  ///< the places before, the last one last, to which Esc goes back
-  int width_ = 0, height_ = 0;  ///< of the window, in pixels
-  int unit_ = 1;                ///< the scale, unless the window fills the screen
+  int width_ = 0, height_ = 0;     ///< of the window, in pixels
+  int unit_ = 1;                   ///< the scale, unless the window fills the screen
   bool fillsScreen_ = false, largest_ = false, scaleIsChosen_ = false;
   bool shut_ = false;  ///< the user has put the controls away
   std::string few_;    ///< the keys of the controls that a page of a lecture names; "": all
   std::optional<Lecture> lecture_;
   Layout layout_;
   PanelState panel_;
-  Writing writing_;                ///< what the last drawing has written
+  Writing writing_;                 ///< what the last drawing has written
   std::optional<Pointed> pointed_;  ///< under the pointer
   std::string notice_, told_;  ///< for the status line: a warning (until a key or click), news (until a key)
   TypedLine line_;

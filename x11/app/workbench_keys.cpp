@@ -78,7 +78,7 @@ KeyTable Workbench::generalKeys() {
   if (bench().hasDrawer())
     add(kDrawerKey, "", "put the controls away, or bring them back", [this] {
       bench().hover(-1, -1);  // what was under the pointer moves away
-      shut_ = !shut_;
+      if (shut_ || !picture_->showAll()) shut_ = !shut_;
       layOut();
     });
   add('Z', "", "larger letters and controls; after the largest, the smallest", [this] { takeNextScale(); });

@@ -94,6 +94,12 @@ class LessonView : public WindowView {
   void start(Lesson lesson);
   /// Closes the lesson, so that the view begins with the list. Another view must be shown.
   void forget() { lesson_.reset(), listing_ = true; }
+  /// All lessons, and the score of one; "" if nothing of it was answered.
+  [[nodiscard]] const std::vector<LessonEntry>& entries() {
+    lessons_.read();
+    return lessons_.entries();
+  }
+  [[nodiscard]] std::string score(const std::string& lesson) const { return answers_.score(lesson); }
   /// Keeps all answers in this file, from now on. @throws ParseError, std::system_error
   void keepAnswers(const std::string& file) { answers_.keepIn(file); }
   /// 0 <= step < steps.

@@ -24,6 +24,8 @@ class Host : public Prompt {
   /// Shows in view 8 why a pixel of the picture has its colour: the one at this share of the picture's width
   /// and height, each in [0, 1).
   virtual void explain(double x, double y) = 0;
+  /// Goes to a pixel that shows a wrong face, in view 8.
+  virtual void explainWrong() = 0;
   /// Shows a step of the depth sort in view 2.
   virtual void sortFrom(int step) = 0;
   /// Fills a polygon in view 0, by its name ("59.1"); "": one that the view chooses.

@@ -147,9 +147,69 @@ Controls PictureView::controls() {
   for (Control& control : cameraControls(now, subject, change())) all.push_back(std::move(control));
   for (Control& button : buttonControls([this](char letter) { host_.pressLetter(letter); })) {
     button.off = ownOfScene(button.key, subject.scene);
+    if (button.key == kDrawerKey && forBeginners_) button.label = "all", button.is = "show all controls";
     all.push_back(std::move(button));
   }
+  if (opening_) addOpening(all);
   return all;
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 5> kOpening{"Turn me", "Move my light", "Why am I wrong here?",
+                                                   "Lessons", "Your own model"};
+constexpr int kLessonsDoor = 3;
+/// Numbers that no row of controls has.
+ControlId openingId(std::size_t k) { return {0, 100 + static_cast<int>(k)}; }
+
+}  // namespace
+
+void PictureView::addOpening(Controls& all) {
+  const std::array<std::function<void()>, kOpening.size()> acts{
+      [this] {
+        list_.setFocus(ControlId{'t'});
+        turn(change(), Setup{host_.setup()}, subject_(), 20, 0);
+        host_.tell("Drag the picture, or press the arrows.");
+      },
+      [this] {
+        list_.setFocus(ControlId{'l'});
+        if (const Control light = lightControl(host_.setup(), subject_(), change()); light.enabled())
+          light.move(20, 0), host_.tell("Drag the ring on the ball, or press the arrows.");
+        else
+          host_.notify(light.off);
+      },
+      [this] {
+        host_.change('O', [](Setup& s) { s.picture.order = Order::ZSort; });
+        host_.explainWrong();
+      },
+      [this] { host_.switchTo(View::Lesson); }, [this] { host_.pressLetter('e'); }};
+  for (std::size_t k = 0; k < kOpening.size(); ++k)
+    all.push_back({.kind = Control::Kind::Button,
+                   .part = openingId(k).part,
+                   .label = std::string{kOpening[k]},
+                   .set = [act = acts[k]](double) { act(); }});
+}
+
+void PictureView::drawOpening(Pen& pen) {
+  constexpr int kHeight = 24, kGap = 12, kDot = 10;
+  const std::vector<bool> done = done_();
+  const Rect& well = at_.well;
+  int x = well.x + kGap, y = well.y + well.height - kHeight - kGap;
+  for (std::size_t k = 0; k < kOpening.size(); ++k) {
+    if (k == kLessonsDoor) x = well.x + kGap, y = well.y + kGap;
+    const int dots = k == kLessonsDoor ? kDot * static_cast<int>(done.size()) : 0;
+    const Rect box{x, y, textWidth(kOpening[k]) + 24 + dots, kHeight};
+    const Look look = list_.look(openingId(k));
+    pen.paint.fillRect(box, pen(look.hovered ? Cell::White : Cell::Panel));
+    pen.paint.frame(box, pen(Cell::Ink));
+    int dot = pen.bold(x + 12, y + 16, kOpening[k]) + 8;
+    for (std::size_t lesson = 0; dots > 0 && lesson < done.size(); ++lesson, dot += kDot) {
+      pen.paint.ring(dot, y + 12, 3, pen(Cell::Ink));
+      if (done[lesson]) pen.paint.disc(dot, y + 12, 3, pen(Cell::Ink));
+    }
+    list_.place(openingId(k), {.area = box, .bare = true, .above = true});
+    x += box.width + kGap;
+  }
 }
 
 bool PictureView::grab(int x, int y) {
@@ -163,6 +223,7 @@ void PictureView::dragTo(int x, int y) {
   constexpr int kStill = 2;  // units that a hand may tremble in a click
   if (clicked_ && std::abs(x - clicked_->x) <= kStill && std::abs(y - clicked_->y) <= kStill) return;
   clicked_.reset();
+  opening_ = false;
   WindowView::dragTo(x, y);
 }
 
@@ -186,6 +247,11 @@ KeyTable PictureView::ownKeys() {
   KeyTable table = zoomKeys(host_.setup(), subject_(), change());
   table.insert(table.begin(), {{.legend = "turn", .does = "turn the scene", .gesture = "drag"},
                                {.does = "explain the pixel under the pointer", .gesture = "click"}});
+  table.push_back(
+      {{'h'}, "", "the opening page, or no longer", [this](const Key&) { opening_ = !opening_; }});
+  if (opening_)
+    table.push_back(
+        {{NamedKey::Escape}, "", "the opening page, or no longer", [this](const Key&) { opening_ = false; }});
   table.push_back({{'['}, "Ia = 1", "only ambient light", all('i')});
   table.push_back({{']'}, "Ip = 1", "only the light of the point", all('p')});
   return table;
@@ -193,6 +259,7 @@ KeyTable PictureView::ownKeys() {
 
 void PictureView::draw(Painter paint, const DrawContext& context) {
   at_ = context.layout;
+  drawn_ = {opening_, forBeginners_};
   const View show = at_.roomy ? context.setup.show : View::Picture;
   if (context.fresh || show != shownAs_) {
     shown_ = xnewell::shownAs(show, context.picture, context.palette, context.plan, truth_, at_.unit);
@@ -259,6 +326,7 @@ void PictureView::drawColumn(Painter paint, const DrawContext& context) {
   list_.forgetPlaces();
   list_.place({'t'}, {.area = at_.picture, .grip = at_.picture, .bare = true, .passive = true});
   Pen pen{paint, context.plan};
+  if (opening_) drawOpening(pen);
   if (!at_.roomy) return list_.draw(pen, all);
 
   if (at_.drawer != Drawer::Whole) {
@@ -272,7 +340,7 @@ void PictureView::drawColumn(Painter paint, const DrawContext& context) {
   toView_ = vrcRotation(context.picture.camera().view);
   const SceneLight& own = context.picture.scene().light;
   const InForce inForce{light, own};
-  column_ = layoutOfControls(at_, all, context.setup);
+  column_ = layoutOfControls(at_, all, context.setup, forBeginners_);
   for (const auto& [id, place] : column_.places) list_.place(id, place);
   drawLightControls(pen, column_,
                     {.setup = context.setup,
@@ -335,6 +403,7 @@ using Kind = Control::Kind;
 
 constexpr int kName = 24;  // units from the left edge of a row to the name
 constexpr int kButton = 20;
+constexpr std::string_view kForBeginners = "lsnSO";
 
 Section sectionOf(char key) {
   if (const Setting* const setting = settingOf(key)) return setting->section;
@@ -348,8 +417,13 @@ int onBar(const Rect& bar, double value) {
 /// Places the controls, from the top of the column to the bottom.
 class Walk {
  public:
-  Walk(const Layout& at, const Controls& controls, const Setup& setup, int pitch)
-      : controls_{controls}, setup_{setup}, low_{at.low}, x_{at.controls.x}, y_{at.controls.y + 11} {
+  Walk(const Layout& at, const Controls& controls, const Setup& setup, int pitch, bool forBeginners)
+      : controls_{controls},
+        setup_{setup},
+        forBeginners_{forBeginners},
+        low_{at.low},
+        x_{at.controls.x},
+        y_{at.controls.y + 11} {
     column_.compact = at.compact;
     column_.area = at.controls;
     row_.pitch = pitch;
@@ -362,7 +436,7 @@ class Walk {
     rows(Section::Surface, {Kind::Toggle, Kind::Slider, Kind::Choice});
     heading("METHOD", 22);
     rows(Section::Method, {Kind::Toggle, Kind::Slider, Kind::Choice});
-    heading("COLOUR TABLE", 22);
+    if (!forBeginners_) heading("COLOUR TABLE", 22);
     rows(Section::ColourTable, {Kind::Toggle, Kind::Choice, Kind::Slider});
     buttons();
     return std::move(column_);
@@ -393,8 +467,12 @@ class Walk {
     narrow.pitch = compact ? 20 : 22;
     rows(Section::Light, {Kind::Toggle}, narrow);
     y_ += compact ? 7 : 11;
-    intensities();
-    y_ += compact ? 35 : 44;
+    if (forBeginners_) {
+      y_ = std::max(y_, column_.ball.y + column_.ball.height + 24);
+    } else {
+      intensities();
+      y_ += compact ? 35 : 44;
+    }
     rows(Section::Light, {Kind::Slider, Kind::Choice});
   }
 
@@ -433,6 +511,7 @@ class Walk {
     for (const Kind kind : kinds)
       for (const Control& control : controls_) {
         if (control.kind != kind || sectionOf(control.key) != section || has(control)) continue;
+        if (forBeginners_ && kForBeginners.find(control.key) == kForBeginners.npos) continue;
         ControlPlace place = placeInRow(control, x_, y_, style);
         y_ += place.area.height;
         add(control, std::move(place));
@@ -449,7 +528,8 @@ class Walk {
     int placed = 0;
     for (const Control& control : controls_) {
       const auto* const row = std::ranges::find(kButtons, control.key, &ButtonRow::key);
-      if (control.kind != Kind::Button || (column_.compact && !row->always)) continue;
+      if (control.kind != Kind::Button || control.key == 0) continue;
+      if ((column_.compact || forBeginners_) && !row->always) continue;
       const int x = x_ + pitch * (placed % inRow);
       const Rect box{x, y_ - 14, width, column_.compact ? kButton - 2 : kButton};
       add(control, {.x = x, .y = y_, .area = box, .box = box});
@@ -459,6 +539,7 @@ class Walk {
 
   const Controls& controls_;
   const Setup& setup_;
+  bool forBeginners_;
   ControlColumn column_;
   RowStyle row_;
   bool low_;
@@ -600,11 +681,12 @@ Controls buttonControls(const std::function<void(char)>& press) {
   return all;
 }
 
-ControlColumn layoutOfControls(const Layout& at, const Controls& controls, const Setup& setup) {
+ControlColumn layoutOfControls(const Layout& at, const Controls& controls, const Setup& setup,
+                               bool forBeginners) {
   constexpr int kLeastPitch = 13;  // the height of the text
   constexpr int kBelow = 4;        // units between the last button and the strip of colours
   for (int pitch = at.compact ? 17 : 21;; --pitch) {
-    ControlColumn column = Walk{at, controls, setup, pitch}.column();
+    ControlColumn column = Walk{at, controls, setup, pitch, forBeginners}.column();
     const Rect& last = column.places.back().second.area;
     const int bottom = at.controls.y + at.controls.height - kBelow;
     if (pitch == kLeastPitch || last.y + last.height <= bottom) return column;
@@ -619,7 +701,7 @@ void drawLightControls(Pen& pen, const ControlColumn& at, const LightShown& show
   }
   light.ball();
   light.light();
-  light.intensities();
+  if (!at.bar.empty()) light.intensities();
 }
 
 glm::dvec3 directionOnBall(const ControlColumn& at, int x, int y) {

@@ -50,7 +50,9 @@ struct ControlColumn {
 /// The column of a window, if layoutOf() says that it is roomy. If there are too many controls for its
 /// height, the rows are closer together. `controls` are those of all settings, with the buttons and the
 /// light; the thumbs of Ia and Ip are where `setup` has them.
-[[nodiscard]] ControlColumn layoutOfControls(const Layout& at, const Controls& controls, const Setup& setup);
+/// For beginners there are only a few rows.
+[[nodiscard]] ControlColumn layoutOfControls(const Layout& at, const Controls& controls, const Setup& setup,
+                                             bool forBeginners = false);
 
 /// The buttons, as controls. `press` gets a button's letter.
 [[nodiscard]] Controls buttonControls(const std::function<void(char)>& press);
@@ -82,9 +84,21 @@ void drawLightControls(Pen& pen, const ControlColumn& at, const LightShown& show
 /// The view of the picture with all its controls, keys and pointer.
 class PictureView : public WindowView {
  public:
-  /// `subject` is the scene that the controls change. All arguments must outlive it.
-  PictureView(Host& host, std::function<Subject()> subject) : WindowView{host}, subject_{std::move(subject)} {
+  /// `subject` is the scene that the controls change; `done` says which lessons were begun. All arguments
+  /// must outlive it.
+  PictureView(
+      Host& host, std::function<Subject()> subject,
+      std::function<std::vector<bool>()> done = [] { return std::vector<bool>{}; })
+      : WindowView{host}, subject_{std::move(subject)}, done_{std::move(done)} {
     list_.setFocus(ControlId{'s'});
+  }
+
+  /// Shows the opening page over the picture until the first drag, and few controls.
+  void welcome() { opening_ = forBeginners_ = true; }
+  /// Shows all controls; false if all are shown.
+  bool showAll() { return std::exchange(forBeginners_, false); }
+  [[nodiscard]] bool late(const Setup& setup) const override {
+    return WindowView::late(setup) || drawn_ != std::pair{opening_, forBeginners_};
   }
 
   [[nodiscard]] Controls controls() override;
@@ -107,6 +121,9 @@ class PictureView : public WindowView {
   [[nodiscard]] std::string aside() const override { return aside_; }
 
  private:
+  /// The opening page: sentences and doors, as buttons.
+  void addOpening(Controls& all);
+  void drawOpening(Pen& pen);
   void drawColumn(Painter paint, const DrawContext& context);
   void drawCaption(Painter paint, const DrawContext& context);
   /// What a picture beside a drawer has above and below it: its title, and what was found, in large letters.
@@ -114,9 +131,12 @@ class PictureView : public WindowView {
   void findInexactness(const DrawContext& context);
 
   std::function<Subject()> subject_;
+  std::function<std::vector<bool>()> done_;
+  bool opening_ = false, forBeginners_ = false;
   std::optional<glm::ivec2>
       clicked_;  ///< where the picture was pressed, in units, if it was not dragged since
   // The state of the last drawing.
+  std::pair<bool, bool> drawn_;  ///< opening_, forBeginners_
   Layout at_;
   ControlColumn column_;
   glm::dmat3 toView_{1};  ///< from world coordinates to right, up, towards the viewer

@@ -31,6 +31,7 @@ class LessonWindow : public Host {
     view = v;
   }
   void explain(double, double) override {}
+  void explainWrong() override {}
   void sortFrom(int step) override {
     sortedFrom = step;
     switchTo(View::DepthSort);

@@ -34,6 +34,7 @@ class StagedView : public Host {
   void pressLetter(char) override {}
   void switchTo(View) override {}
   void explain(double, double) override {}
+  void explainWrong() override {}
   void sortFrom(int) override {}
   void fill(const std::string&) override {}
   void compare(const xnewell::Setup& B) override { compared = B; }

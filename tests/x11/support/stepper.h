@@ -87,6 +87,7 @@ class Stepper : private Host {
   void open(Scene, const xnewell::Setup&) override {}
   void switchTo(View) override {}
   void explain(double, double) override {}
+  void explainWrong() override {}
   void sortFrom(int) override {}
   void fill(const std::string&) override {}
   void compare(const xnewell::Setup&) override {}

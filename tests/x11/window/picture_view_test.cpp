@@ -81,6 +81,44 @@ TEST(PictureView, SaysWhatAControlIsForAsFarAsTheWindowReaches) {
   }
 }
 
+// The opening page: each sentence and door does what it says, Esc and the first drag end it, and h brings it
+// back. Beside it are few controls until D.
+TEST(PictureView, OpensWithSentencesThatAreButtons) {
+  const std::vector<std::pair<int, View>> leads{{100, View::Picture},
+                                                {101, View::Picture},
+                                                {102, View::Pixel},
+                                                {103, View::Lesson},
+                                                {104, View::Picture}};
+  for (const auto& [part, view] : leads) {
+    SCOPED_TRACE(part);
+    ReadyWorkbench b;
+    b.welcome();
+    b.finish();
+    EXPECT_FALSE(b.bench().list().find({'F'}));
+    for (const char key : {'l', 's', 'n', 'S', 'O'}) EXPECT_TRUE(b.bench().list().find({key})) << key;
+    const ControlPlace* const place = b.bench().list().find({0, part});
+    ASSERT_TRUE(place);
+    click(b, middle(place->area));
+    b.finish();
+    EXPECT_EQ(b.view(), view);
+    EXPECT_EQ(b.setup() != b.defaults(), part <= 102);
+    EXPECT_EQ(b.isAsking(), part == 104);
+  }
+  ReadyWorkbench b;
+  b.welcome();
+  b.finish();
+  b.drag(30, 10);
+  b.settle();
+  b.finish();
+  EXPECT_FALSE(b.bench().list().find({0, 100}));
+  b.does('h');
+  EXPECT_TRUE(b.bench().list().find({0, 100}));
+  b.does(NamedKey::Escape);
+  EXPECT_FALSE(b.bench().list().find({0, 100}));
+  b.does('D');
+  EXPECT_TRUE(b.bench().list().find({'F'}));
+}
+
 // If the column is too low for its controls, the rows are closer together, and still none shares a pixel.
 TEST(ControlColumn, FitsALowerColumn) {
   for (const auto& [w, h] : {std::pair{800, 600}, {1024, 768}}) {
