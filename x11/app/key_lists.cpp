@@ -32,7 +32,7 @@ std::string tablesOf(const std::vector<KeyList>& lists) {
   std::string shared, others;
   std::vector<HelpLine> told;
   for (const KeyList& list : lists) {
-    others += "\n## " + list.title + "\n\n| key | what it does |\n| --- | --- |\n";
+    others += "| | **" + list.title + "** |\n";
     for (const HelpLine& line : list.lines) {
       const std::string cells = "| " + inCell(line.keys) + " | " + inCell(line.does) + " |";
       const std::vector<std::string_view> views = viewsWith(line);
@@ -47,7 +47,8 @@ std::string tablesOf(const std::vector<KeyList>& lists) {
       }
     }
   }
-  return "\n## In several views\n\n| key | what it does | in |\n| --- | --- | --- |\n" + shared + others;
+  return "\n## In several views\n\n| key | what it does | in |\n| --- | --- | --- |\n" + shared +
+         "\n## In one view\n\n| key | what it does |\n| --- | --- |\n" + others;
 }
 
 }  // namespace
