@@ -65,8 +65,8 @@ struct Outlines {
 ///    (Outlines) are told; a picture with such outlines is not right.
 /// 8. If nothing fits, two rows at once are tried, and after them numbers in small steps.
 /// 9. If still nothing fits, or outlines do not, each row of the view places the faces anew (place.cpp). Of a
-///    picture that is right, all pixels are looked at: edges tell a shift of less than a pixel, and shades that
-///    no face has there may tell a mistake that few samples show.
+///    picture that is right, all pixels are looked at: edges tell a shift of less than a pixel, and shades
+///    that no face has there may tell a mistake that few samples show.
 
 inline constexpr int kMostSamples = 3000;
 inline constexpr double kClass = 0.01, kInformative = 0.8, kInformativeOrder = 0.87;
@@ -225,7 +225,7 @@ class Diagnoser {
   };
   struct Score {
     double share = 0, overlap = 0;
-    int counted = 0, faces = 0;
+    int known = 0, counted = 0, faces = 0;  ///< places; those where either picture shows a face; faces
   };
   static constexpr int kEdge = -2;
   [[nodiscard]] const Seen& seenBy(const Hypothesis& h);

@@ -61,6 +61,7 @@ Diagnoser::Score Diagnoser::scoreOf(const HandedIn& handed, const Seen& seen, co
   int hits = 0, both = 0;
   for (std::size_t k = 0; k < seen.face.size(); ++k) {
     if (seen.face[k] == kEdge) continue;
+    ++score.known;
     const bool theirs = !ground || colorAt(k) != *ground, ours = seen.face[k] != kNothing;
     if (!ours && (!theirs || !ground)) continue;
     ++score.counted, both += ours && theirs;
@@ -78,10 +79,20 @@ bool Diagnoser::decidePlaced(const HandedIn& handed, Diagnosis& d) {
   const Hypothesis& right = hypotheses().front();
   const Seen& rightly = seenBy(right);  // finds the places
   const Read yours = read(handed, places_, false);
-  const double least = scoreOf(handed, rightly, yours).share + 0.02;
+  const Score asItIs = scoreOf(handed, rightly, yours);
+  const double least = asItIs.share + 0.02;
   std::vector<std::pair<Score, Fit>> views, pairs;
+  // On this scene a row may change nothing: a window whose centre is on the axis has no shear to forget.
+  const auto changesNothing = [&](const Seen& seen) {
+    constexpr int kByRounding = 3;
+    int others = 0;
+    for (std::size_t k = 0; k < seen.face.size() && others <= kByRounding; ++k)
+      if (seen.face[k] != kEdge && rightly.face[k] != kEdge)
+        others += seen.face[k] != rightly.face[k] || seen.shown[k].value != rightly.shown[k].value;
+    return others <= kByRounding;
+  };
   for (const Hypothesis& h : hypotheses())
-    if (h.view && !h.view->isSmall()) {
+    if (h.view && !h.view->isSmall() && !changesNothing(seenBy(h))) {
       const Score score = scoreOf(handed, seenBy(h), yours);
       Fit fit{.first = &h, .cost = 1.0 - score.share, .explained = score.share, .telling = score.counted};
       fit.informative = score.share, fit.faces = score.faces;
@@ -90,10 +101,11 @@ bool Diagnoser::decidePlaced(const HandedIn& handed, Diagnosis& d) {
   const auto isFound = [&](const std::pair<Score, Fit>& one, double share) {
     const Score& score = one.first;
     if (score.share < share || score.share <= least || score.counted < kFewPlaces) return false;
-    // Of one face, its outline tells.
-    const bool hasOutline = score.counted < 0.95 * static_cast<double>(places_.size());
+    if (score.overlap < 0.5) return false;  // what it calls ground is all over the faces, too
+    // Of one or two faces, the outline tells.
+    const bool hasOutline = score.counted < 0.95 * score.known;
     return score.faces >= kFewFaces ||
-           (score.share >= kOfFewFaces && score.counted >= kManyPlaces && (score.faces > 1 || hasOutline));
+           (score.share >= kOfFewFaces && score.counted >= kManyPlaces && hasOutline);
   };
   const auto name = [&](std::vector<std::pair<Score, Fit>>& all, double share) {
     std::ranges::stable_sort(all, {}, [](const auto& one) { return one.second.cost; });
@@ -112,7 +124,8 @@ bool Diagnoser::decidePlaced(const HandedIn& handed, Diagnosis& d) {
   if (name(views, kPlaced)) return true;
   std::ranges::stable_sort(views, {}, [](const auto& one) { return -one.first.overlap; });
   for (std::size_t k = 0; k < std::min(views.size(), kMostViews); ++k) {
-    if (views[k].first.overlap < kOutlinesOnly) continue;
+    // No view is to blame where the outlines lie right.
+    if (views[k].first.overlap < std::max(kOutlinesOnly, asItIs.overlap + 0.02)) continue;
     const Hypothesis& view = *views[k].second.first;
     for (const Hypothesis& h : hypotheses()) {
       if (h.view || (h.meaning != Meaning::Wrong && h.meaning != Meaning::Allowed) || !applies(h)) continue;

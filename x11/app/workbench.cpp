@@ -218,7 +218,11 @@ void Workbench::follow(const Pointed& link) {
           "No pixel shows it: what is clamped is at a vertex or a side that is hidden.");
     }
     case Lead::Wrong:
-      return explainFirst(checkedSamples(shown), isWrong, "No sample of this picture shows a wrong face.");
+      return explainFirst(
+          checkedSamples(shown), isWrong,
+          view() == View::SideBySide
+              ? "The set-up, side A, shows no wrong face; x swaps the sides, then this leads to one."
+              : "No sample of this picture shows a wrong face.");
     case Lead::Cell:
       if (view() != View::Colors) return colors_->choose(link.number), switchTo(View::Colors);
       return explainFirst(
@@ -327,6 +331,8 @@ void Workbench::hover(int x, int y) {
   pointed_ = pointedAt(writing_, x, y);
   if (pointed_ && pointed_->says.empty()) pointed_.reset();
   if (pointed_) pointed_->key.reset(), pointed_->lead = Lead::None;
+  // A hint must not hide what the pointer is about to press.
+  if (pointed_ && (layout_.low ? layout_.status.has(x, y) : y > layout_.status.y + 20)) pointed_.reset();
 }
 
 void Workbench::settle() {

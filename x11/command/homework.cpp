@@ -208,6 +208,8 @@ class Markers {
     Scene scene = readyScene(own);
     refuseWhatIsNotDiagnosed(scene, own.picture);
     add(stage.words, own, std::move(scene));
+  } catch (const ParseError& e) {
+    throw ParseError{options_.rubric, stage.line, e.what()};
   } catch (const UsageError& e) {
     throw ParseError{options_.rubric, stage.line, e.what()};
   } catch (const std::system_error& e) {
@@ -287,6 +289,7 @@ int gradeFolder(const Options& options, Scene scene) {
         marks.rows.push_back(std::move(row));
       };
       bool isFirst = true;
+      int ofStage = 0;
       for (const HandIn& one : std::span{handed.files}.subspan(from, to - from)) {
         if (one.name.empty() || !isOf(stage, one.name)) continue;
         marking.emplace("marking file " + std::to_string(++done) + " of " +
@@ -297,8 +300,10 @@ int gradeFolder(const Options& options, Scene scene) {
         if (isFirst || stage.name.empty() || pointsFor(marked, 1) > pointsFor(row, 1))
           row = std::move(marked);
         if (stage.name.empty()) add(one);
-        isFirst = false;
+        isFirst = false, ++ofStage;
       }
+      if (!stage.name.empty() && ofStage > 1)
+        row.words += " (the best of " + std::to_string(ofStage) + " files for this stage)";
       if (isFirst || !stage.name.empty()) add(first);
     }
   }

@@ -89,7 +89,7 @@ std::string asCsv(const ClassMarks& marks) {
       if (named) fields.push_back(visible(row.student));
       csv += csvLine(fields);
     }
-    return csv;
+    return wellFormed(csv);
   }
   std::vector<std::string> head{"student", "points", "of"};
   head.insert(head.end(), marks.stages.begin(), marks.stages.end());
@@ -106,7 +106,7 @@ std::string asCsv(const ClassMarks& marks) {
     fields.push_back(words);
     csv += csvLine(fields);
   }
-  return csv;
+  return wellFormed(csv);
 }
 
 /// ---- HTML
@@ -153,7 +153,7 @@ img { max-width: 240px; image-rendering: pixelated }
             element("td", row.file.empty() ? visible(row.student) + ": " + row.stage : visible(row.file)) +
             "<td>" + figuresOf(row) + "</td>" + element("td", visible(row.words)) +
             element("td", whereOf(row)) + "</tr>\n";
-  return page + "</table>\n</html>\n";
+  return wellFormed(page + "</table>\n</html>\n");
 }
 
 /// ---- Results of course systems

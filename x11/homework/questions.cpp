@@ -387,7 +387,10 @@ void list(ExamQuestion& q, const QuestionScene& s, const std::vector<Polygon>& p
       " Their corners are below, in the order of the scene: x and y in pixels from the top left, and z, "
       "larger nearer. ";
   q.text += view.projection == Projection::Perspective
-                ? "The eye is at " + inBrackets(view.vrp + glm::transpose(R) * view.prp) + ", and"
+                ? "The eye is at " +
+                      inBrackets((view.vrp + glm::transpose(R) * view.prp) *
+                                 std::ldexp(1.0, s.picture.scene().exponent)) +
+                      ", and"
                 : "It is a parallel projection, and";
   q.text += " the view plane has the normal " + inBrackets(glm::transpose(R)[2]) + " in the world.";
   for (const Polygon& one : polygons) q.lines.push_back(one.line());

@@ -25,6 +25,8 @@ std::vector<Stage> readRubric(const std::string& file) {
   std::vector<Stage> stages;
   for (std::string_view name; !(name = words.firstOfNextLine()).empty();) {
     Stage stage{.name = std::string{name}, .line = words.line()};
+    if (name.find_first_of("./\\") != name.npos)
+      words.fail(inQuotes(name) + ": a stage is the name of its file without the ending, such as flat");
     const std::string_view points = words.next();
     if (points.empty()) words.fail("a stage and its points are needed, such as `flat 3`");
     const auto [end, error] = std::from_chars(points.begin(), points.end(), stage.points);

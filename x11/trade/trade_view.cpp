@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "geometry/exact/give_up.h"
 #include "geometry/files/output_file.h"
 #include "shading/color/png.h"
 #include "shading/picture/facts.h"
@@ -363,9 +364,11 @@ Measuring::Measuring(Scene scene, const PictureSettings& settings, TradeRequest 
     : before_{std::move(before)} {
   const auto measure = [this, scene = Shared<Scene>{std::move(scene)}, settings](TradeRequest asked) {
     before_.reset();
+    const MayGiveUp givesUp{[this] { return stop_.load(); }};
     try {
       asked.axes = choosableAxes(PictureCache{scene}.make(settings));
       publish({measured(scene, settings, asked), "", true, ""});
+    } catch (const GivenUp&) {  // nobody asks for news any more
     } catch (const std::exception& e) {
       publish({{}, "", true, e.what()});
     }

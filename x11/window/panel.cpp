@@ -143,7 +143,7 @@ void drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
     end = pen.paint.text(begin, y, state.notice, pen(Cell::Alarm));
   } else if (!state.told.empty()) {
     end = pen.paint.text(begin, y, state.told, pen(Cell::Good));
-  } else if (!state.hint.empty()) {
+  } else if (at.low && !state.hint.empty()) {
     end = pen.ink(begin, y, state.hint);
   } else if (at.low) {  // the keys have some of this line
     end = pen.ink(begin, y, beginningOf(state.status, at.width * 3 / 5 - begin));
@@ -154,6 +154,7 @@ void drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
   if (at.low) return drawLegend(pen, at, end + 18, y, state.legend);
   if (end + 18 + textWidth(state.visual) <= at.width - kMargin)
     pen.softRight(at.width - kMargin, y, state.visual);
+  if (!state.hint.empty()) return (void)pen.ink(kMargin, y + 18, state.hint);
   return drawLegend(pen, at, kMargin, y + 18, state.legend);
 }
 

@@ -151,7 +151,7 @@ TEST(ClassMarks, KeepNamesApart) {
                                      {.file = "\xc9mile.ppm"},   {.file = "\xd6mile.ppm"},
                                      {.file = "\x1bmile.ppm"},   {.file = "\nmile.ppm"}};
   const std::string csv = csvOf(rows), page = rowOf(MarksFormat::Html).text({"", {}, rows});
-  for (const char* begin : {"\u00c9", "\u00d6", "\xc9", "\xd6", "\\x1b", "\\n"}) {
+  for (const char* begin : {"\u00c9", "\u00d6", "\\xc9", "\\xd6", "\\x1b", "\\n"}) {
     EXPECT_NE(csv.find('\n' + std::string{begin} + "mile.ppm,"), std::string::npos) << begin;
     EXPECT_NE(page.find("<td>" + std::string{begin} + "mile.ppm</td>"), std::string::npos) << begin;
   }
