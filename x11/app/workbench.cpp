@@ -9,6 +9,7 @@
 #include "x11/pixel/pixel_view.h"
 #include "x11/scanline/scanline_view.h"
 #include "x11/sides/side_by_side_view.h"
+#include "x11/sides/sides.h"
 #include "x11/stepper/sort_view.h"
 #include "x11/trade/trade_view.h"
 #include "x11/viewing/viewing_view.h"
@@ -217,12 +218,26 @@ void Workbench::follow(const Pointed& link) {
           I, [](double one) { return one >= 1.0; },
           "No pixel shows it: what is clamped is at a vertex or a side that is hidden.");
     }
-    case Lead::Wrong:
-      return explainFirst(
-          checkedSamples(shown), isWrong,
-          view() == View::SideBySide
-              ? "The set-up, side A, shows no wrong face; x swaps the sides, then this leads to one."
-              : "No sample of this picture shows a wrong face.");
+    case Lead::Wrong: {
+      Difference wrong;
+      wrong.width = width;
+      for (const SampleCheck check : checkedSamples(shown))
+        wrong.at.push_back(isWrong(check) ? 1.0F : 0.0F), wrong.above += isWrong(check);
+      // Where most of them are.
+      const int high = shown.settings().height;
+      const std::vector<DifferingPlace> places = placesOf(wrong, width / 10, high / 6);
+      if (places.empty())
+        return notify(view() == View::SideBySide ? "The set-up, side A, shows no wrong face; x swaps the "
+                                                   "sides, then this leads to one."
+                                                 : "No sample of this picture shows a wrong face.");
+      const Rect& frame = places.front().frame;
+      for (int k = 0; k < frame.width * frame.height; ++k) {
+        const int i = frame.x + k % frame.width, j = frame.y + k / frame.width;
+        if (wrong.at[static_cast<std::size_t>(j) * width + i] > 0)
+          return explain((i + 0.5) / width, (j + 0.5) / high);
+      }
+      return;
+    }
     case Lead::Cell:
       if (view() != View::Colors) return colors_->choose(link.number), switchTo(View::Colors);
       return explainFirst(
