@@ -81,11 +81,7 @@ class Painter {
   /// A unit is `unit` x `unit` pixels. Any image can be drawn into, so it converts to its painter. What is
   /// written is added to `writing`, which outlives it, unless that is null.
   Painter(IndexImage& image, int unit = 1, Writing* writing = nullptr)
-      : image_{&image},
-        unit_{unit},
-        step_{unit},
-        clip_{0, 0, image.width, image.height},
-        writing_{writing} {}
+      : image_{&image}, unit_{unit}, step_{unit}, clip_{0, 0, image.width, image.height}, writing_{writing} {}
   /// How many pixels a unit is wide.
   [[nodiscard]] int unit() const { return unit_; }
   /// A painter of the same image whose coordinates are pixels: for areas, lines, frames, discs, rings and

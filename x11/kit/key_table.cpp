@@ -58,7 +58,8 @@ std::string capOf(const Key& key) {
 
 std::optional<Key> keyOfCap(std::string_view cap) {
   if (cap.size() == 1) return Key{cap[0]};
-  const auto* const row = std::ranges::find_if(kCaps, [&](const CapRow& r) { return cap == r.cap || cap == r.word; });
+  const auto* const row =
+      std::ranges::find_if(kCaps, [&](const CapRow& r) { return cap == r.cap || cap == r.word; });
   return row == kCaps.end() ? std::nullopt : std::optional{Key{row->key}};
 }
 

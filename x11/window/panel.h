@@ -27,7 +27,7 @@ struct PanelState {
   std::optional<int> inspected = {};  ///< the cell that the strip marks
   std::string selected;               ///< a control that is out of sight, before the first line; "" for none
   std::string status, aside;          ///< the first line and the softer text after it
-  std::string notice, told, hint;  ///< a warning, news, or what a word means, in place of a line
+  std::string notice, told, hint;     ///< a warning, news, or what a word means, in place of a line
   std::optional<Typed> typed = {};    ///< shown in place of both lines
   std::vector<Legend> legend;         ///< the last line
   std::vector<HelpLine> help;         ///< the list of all keys, over the window; empty: not shown

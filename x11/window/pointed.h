@@ -16,10 +16,10 @@ namespace xnewell {
 enum class Lead { None, Cut, Clamped, Wrong, Cell };
 
 struct Pointed {
-  Rect place;                 ///< of the cap, the count or the word
-  std::string says = {};      ///< a sentence; "": none
+  Rect place;                   ///< of the cap, the count or the word
+  std::string says = {};        ///< a sentence; "": none
   std::optional<Key> key = {};  ///< of a cap
-  bool gesture = false;       ///< a cap without a key: the pointer does it
+  bool gesture = false;         ///< a cap without a key: the pointer does it
   Lead lead = Lead::None;
   int number = 0;  ///< of the cell
   bool operator==(const Pointed&) const = default;

@@ -55,8 +55,8 @@ INSTANTIATE_TEST_SUITE_P(Depths, ColorsWindowAt, testing::ValuesIn(someOf({8, 24
                          testing::PrintToStringParamName());
 
 // While h is held the shade is lit, in the picture, the grid and the strip. When h is let go the window is as
-// it was; after a tap, with the second tap. Keys that the keyboard repeats meanwhile change nothing. A real colormap takes one store for the
-// light and one for its end, and nothing is drawn.
+// it was; after a tap, with the second tap. Keys that the keyboard repeats meanwhile change nothing. A real
+// colormap takes one store for the light and one for its end, and nothing is drawn.
 TEST_P(ColorsWindowAt, AHeldKeyLightsTheShade) {
   enter();
   Display* const d = window.display();
