@@ -11,8 +11,8 @@ copy=$roots/browser results=$root/build/browser what='the page'
 mkdir -p "$roots" "$results"
 
 prepare() {
-  copy_root 13 "$copy" && install_in "$copy" emscripten cmake ninja-build g++ libfreetype-dev xfonts-base libglm-dev \
-    libboost-dev nlohmann-json3-dev libcli11-dev libfast-float-dev || return
+  copy_root 13 "$copy" && install_in "$copy" emscripten cmake ninja-build g++ zopfli libfreetype-dev xfonts-base \
+    libglm-dev libboost-dev nlohmann-json3-dev libcli11-dev libfast-float-dev || return
   # shellcheck disable=SC2016
   step libraries inside "$copy" sh -ec '
     sed "s/^deb /deb-src /" /etc/apt/sources.list >/etc/apt/sources.list.d/sources.list
@@ -22,9 +22,8 @@ prepare() {
     mv zlib-* zlib && mv libpng-* libpng
     cp libpng/scripts/pnglibconf.h.prebuilt libpng/pnglibconf.h
     for headers in glm boost nlohmann CLI fast_float; do ln -s "/usr/include/$headers" include; done'
-  touch "$copy/srv/prepared"
 }
-if [[ ! -e $copy/srv/prepared ]]; then
+if [[ ! -x $copy/usr/bin/zopfli || ! -L $copy/srv/libraries/include/fast_float ]]; then
   bare_root 13 || { say "the page NOT MADE: $why"; exit 77; }
   prepare
 fi
@@ -45,7 +44,9 @@ cp "$copy"/srv/xnewell/build/release/x11/xnewell.{js,wasm} "$results"
 page=$root/x11/browser/page.html
 {
   sed '/^PROGRAM$/,$d' "$page"
-  printf '<script type="text/plain" id="program">' && gzip -9nc "$results/xnewell.wasm" | base64 -w 0 && printf '</script>\n'
+  printf '<script type="text/plain" id="program">'
+  inside "$copy" zopfli --i5 -c /srv/xnewell/build/release/x11/xnewell.wasm | base64 -w 0
+  printf '</script>\n'
   printf '<script type="text/plain" id="js">' && cat "$results/xnewell.js" && printf '</script>\n'
   sed '1,/^PROGRAM$/d' "$page"
 } >"$results/xnewell.html"
