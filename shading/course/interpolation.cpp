@@ -9,10 +9,7 @@ namespace xnewell {
 
 namespace {
 
-/// In pixels.
-struct Point {
-  double x, y;
-};
+using Point = glm::dvec2;
 
 /// Twice the area of a triangle; positive if it runs counter-clockwise as seen on the screen.
 double area(const Point& a, const Point& b, const Point& c) {
@@ -22,12 +19,17 @@ double area(const Point& a, const Point& b, const Point& c) {
 }  // namespace
 
 Weights weightsOnScreen(const std::array<glm::ivec3, 3>& p, int i, int j) {
-  constexpr double kNarrow = 0x1p-12;
   // Seen from the sample, so that no digits are lost far from the origin.
   const auto fromSample = [&](const glm::ivec3& v) {
     return Point{(v.x - (i + 0.5) * kGrid) / kGrid, (v.y - (j + 0.5) * kGrid) / kGrid};
   };
-  const Point a = fromSample(p[0]), b = fromSample(p[1]), c = fromSample(p[2]), sample{0.0, 0.0};
+  return weightsOfOrigin({fromSample(p[0]), fromSample(p[1]), fromSample(p[2])});
+}
+
+Weights weightsOfOrigin(const std::array<Point, 3>& p) {
+  constexpr double kNarrow = 0x1p-12;
+  const auto& [a, b, c] = p;
+  const Point sample{0.0, 0.0};
   const double whole = area(a, b, c);
   const double longest =
       std::max({std::abs(b.x - a.x), std::abs(b.y - a.y), std::abs(c.x - a.x), std::abs(c.y - a.y)});

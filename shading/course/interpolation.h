@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace xnewell {
@@ -18,6 +19,8 @@ using Weights = std::array<double, 3>;
 /// A triangle narrower than 2^-12 pixel has the mean everywhere, because the grid decides how its values
 /// grow.
 [[nodiscard]] Weights weightsOnScreen(const std::array<glm::ivec3, 3>& p, int i, int j);
+/// The same at the origin, where the vertices are in pixels.
+[[nodiscard]] Weights weightsOfOrigin(const std::array<glm::dvec2, 3>& p);
 
 /// The weights at the place of the surface that is seen there. In perspective the far end of a side takes
 /// less of the screen than the near end. 1/w is linear over the screen (w is the depth), and so is a value

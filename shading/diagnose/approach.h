@@ -3,22 +3,19 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "shading/color/color_table.h"
-#include "shading/light/light.h"
-#include "shading/light/method.h"
+#include "shading/light/equation.h"
+#include "shading/scene/picture_settings.h"
 
 namespace xnewell {
 
-/// How a program goes about the assignment: what it does at each step, right, allowed or mistaken. The first
-/// enumerator of each step is what the settings of the picture ask for. The evaluator (other_program.h)
-/// computes what a program that works in such a way would show.
+/// How a program goes about the assignment: what it does at each step, right, allowed or mistaken. The
+/// default is what the settings of the picture ask for; each row of hypothesis.h differs in a step or two.
+/// The evaluator (other_program.h) computes what a program that works in such a way would show.
 
-enum class ClampWay { Positive, Signed, Absolute, ByAngle };
 enum class NormalWay {
   Unit,
   Newell,
   CornerProduct,
-  Inward,
   InViewing,
   NotTurned,
   ByMatrix,
@@ -28,38 +25,13 @@ enum class NormalWay {
   WarpedInPixels,
   ThreeCorners
 };
-/// Where two enumerators differ in a word: the sum is made a unit vector unless the name says otherwise.
-enum class VertexWay {
-  AsAsked,
-  Sum,
-  Distinct,
-  Area,
-  Angle,
-  Patch,
-  TrianglesTwice,
-  LastFace,
-  OwnFace,
-  SumNotUnit,
-  MeanNotUnit
-};
-enum class TowardsLight {
-  Unit,
-  Away,
-  NotUnit,
-  DirectionAsPlace,
-  PlaceAsDirection,
-  FarPlace,
-  NotMoved,
-  Constant
-};
-enum class TowardsEye { Unit, Away, NotUnit, PlaceOfEye, FromLookAt, Constant };
-enum class CosineWay { AsAsked, Reversed, Without2, PlusL, WithL, Halfway, Facing };
-enum class PowerWay { OfCosine, OfSum, Forgotten, WithKs, Times };
-enum class IpWay { OnBoth, Forgotten, OnDiffuse, OnHighlight };
+/// At vertices. The sum is made a unit vector unless the name says otherwise.
+enum class VertexWay { AsAsked, TrianglesTwice, LastFace, OwnFace, SumNotUnit, MeanNotUnit };
+enum class TowardsLight { Unit, NotUnit, DirectionAsPlace, PlaceAsDirection, FarPlace, NotMoved, Constant };
+enum class TowardsEye { Unit, NotUnit, PlaceOfEye, FromLookAt, Constant };
 /// What becomes of the terms: their sum, the largest of all or of diffuse and specular; I / (1 + I), 1 -
 /// e^-I, or the whole part of I.
 enum class SumWay { Sum, Largest, LargerOfLight, Tone, Exponential, Whole };
-enum class FadeWay { AsAsked, Forgotten, Inverse, InverseSquare, NoLimit, OnAmbient };
 enum class CentroidWay { OfArea, FirstCorner, MeanOfCorners, OfTriangle };
 enum class CellWay {
   Nearest,
@@ -106,27 +78,23 @@ struct OtherNumber {
 
 struct ViewMistake;
 
+/// Without a value a step is as the settings ask for.
 struct Approach {
-  Shading method = Shading::Flat;
-  ClampWay facing = ClampWay::Positive, reflected = ClampWay::Positive;
-  bool highlightBehind = false;  ///< the highlight does not ask for N.L > 0
-  bool facingFlowsOn = false;    ///< R, and whether there is a highlight, have what counts for N.L
-  bool cellWraps = false;        ///< I is not clamped, and the cell overflows a byte
+  EquationWay equation = {};
+  std::optional<Shading> method = {};
+  std::optional<Form> form = {};
+  bool cellWraps = false;  ///< I is not clamped, and the cell overflows a byte
   NormalWay normal = NormalWay::Unit;
-  bool twoSided = true;
-  bool turnsByV = false;  ///< N is turned by its product with V, not by the side that the eye sees
+  bool oneSided = false;
+  std::optional<NormalRule> rule = {};  ///< of normals at vertices
   VertexWay vertex = VertexWay::AsAsked;
   TowardsLight light = TowardsLight::Unit;
   TowardsEye eye = TowardsEye::Unit;
-  CosineWay cosine = CosineWay::AsAsked;
-  PowerWay power = PowerWay::OfCosine;
-  bool highlightTimesFacing = false;
-  double ambient = 1, diffuse = 1, specular = 1;  ///< how often each term counts
-  bool ambientInTheDark = false;                  ///< the ambient term counts only where no light does
+  bool ambientInTheDark = false;  ///< the ambient term counts only where no light does
   SumWay sum = SumWay::Sum;
-  bool noKa = false, swapsKaKd = false, swapsKdKs = false;
-  IpWay Ip = IpWay::OnBoth;
-  FadeWay fade = FadeWay::AsAsked;
+  bool noKa = false, swapsKaKd = false;
+  std::optional<Attenuation> fade = {};
+  bool fadesAbove1 = false, ambientFades = false;
   CentroidWay centroid = CentroidWay::OfArea;
   int threeFrom = 0;           ///< NormalWay::ThreeCorners begins with this corner
   bool meansOfFaces = false;   ///< Gouraud: a vertex has the mean intensity of the faces around it
@@ -148,6 +116,11 @@ struct Approach {
   glm::dvec3 lightSigns{1};  ///< of x, y and z of each light
   bool swapsLightYz = false;
   bool operator==(const Approach&) const = default;
+
+  /// Does otherwise what another program does otherwise.
+  void add(const Approach& other);
+  /// What is as the settings ask for has its value.
+  [[nodiscard]] Approach with(const PictureSettings& settings) const;
 };
 
 }  // namespace xnewell

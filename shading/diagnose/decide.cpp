@@ -190,7 +190,7 @@ bool Diagnoser::severalTell(const Fit& number, const Hypothesis& best) {
 void Diagnoser::decide(Diagnosis& d) {
   std::vector<Fit> numbers;
   for (const Hypothesis& h : hypotheses()) {
-    if (!applies(h) || (h.view && h.view->isSmall())) continue;
+    if (!applies(h) || (h.way.view && h.way.view->isSmall())) continue;
     Fit one = fit(known(h));
     one.first = &h;
     if (h.meaning != Meaning::Numbers)
@@ -291,7 +291,7 @@ bool Diagnoser::decideByTwo(Diagnosis& d, double best, bool twoMistakes) {
       const bool wrong = first.meaning == Meaning::Wrong && second.meaning == Meaning::Wrong;
       if (!(tellsExactly() || (isFirstForm(first) && isFirstForm(second)))) continue;
       if (first.meaning == Meaning::Numbers || second.meaning == Meaning::Numbers || wrong != twoMistakes ||
-          first.key == second.key || first.view || second.view || !applies(first) || !applies(second))
+          first.key == second.key || first.way.view || second.way.view || !applies(first) || !applies(second))
         continue;
       const auto [at, isNew] = two_.try_emplace({&first, &second});
       if (isNew) at->second = predicted(approachWith(first, &second), kThinned);
@@ -333,7 +333,7 @@ std::vector<std::string_view> Diagnoser::whatCannotBeSeen() {
   std::vector<std::string_view> keys;
   std::set<std::string_view> seen;
   for (const Hypothesis& h : hypotheses()) {
-    if (h.meaning != Meaning::Wrong || h.view || !applies(h) || !seen.insert(h.key).second) continue;
+    if (h.meaning != Meaning::Wrong || h.way.view || !applies(h) || !seen.insert(h.key).second) continue;
     const std::vector<Predicted>& other = known(h);
     int shown = 0;
     for (std::size_t k = 0; k < right.size() && shown < kFewTelling; ++k)
@@ -349,7 +349,7 @@ bool Diagnoser::differsSomewhere(const Hypothesis& h) {
   const std::vector<int> right = facesOf({});
   const Approach way = approachWith(h);
   const std::vector<int>& faces = facesOf(way);
-  OtherProgram rightly{model_, xnewell::approachOf(settings_)}, wrongly{model_, way};
+  OtherProgram rightly{model_, Approach{}}, wrongly{model_, way};
   int shown = 0;
   for (std::size_t at = 0; at < right.size(); ++at) {
     if (right[at] == kNothing || faces[at] == kNothing || !rightly.canShow(right[at])) continue;
@@ -367,8 +367,7 @@ bool Diagnoser::differsSomewhere(const Hypothesis& h) {
 void Diagnoser::addPixel(Diagnosis& d) {
   const std::vector<Predicted>& right = known(hypotheses().front());
   const bool named = !d.found.empty();
-  const std::vector<Predicted> other =
-      predicted(named ? approachOf(d.found.front()) : xnewell::approachOf(settings_));
+  const std::vector<Predicted> other = predicted(named ? approachOf(d.found.front()) : Approach{});
   double most = 0.0;
   std::optional<std::size_t> at;
   for (std::size_t k = 0; k < samples_.size(); ++k) {
@@ -382,7 +381,7 @@ void Diagnoser::addPixel(Diagnosis& d) {
     most = here, at = k;
   }
   if (!at) return;
-  OtherProgram program{model_, xnewell::approachOf(settings_)};
+  OtherProgram program{model_, Approach{}};
   const DiagnosedSample& s = samples_[*at];
   const ShownHere shown = program.at(s.face, s.i, s.j);
   DiagnosedPixel pixel{.i = s.i, .j = s.j, .face = picture_.snapped().faces[s.face].number};

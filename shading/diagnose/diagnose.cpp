@@ -93,7 +93,7 @@ bool Diagnoser::isInside(const std::vector<int>& faces, int i, int j) const {
 std::vector<DiagnosedSample> Diagnoser::insideFaces() {
   const int w = settings_.width, h = settings_.height;
   const std::vector<int>& exact = facesOf({});
-  OtherProgram right{model_, xnewell::approachOf(settings_)};
+  OtherProgram right{model_, {}};
   const bool smooth = rowOf(settings_.shading).interpolates;
   const bool textured = !picture_.scene().textures.empty();
   std::vector<char> usable(picture_.snapped().faces.size());
@@ -118,7 +118,7 @@ void Diagnoser::chooseSamples() {
     const std::size_t at = static_cast<std::size_t>(s.j) * w + s.i;
     if (mean[at] == s.face && far[at] == s.face) ofFace[s.face].push_back(s);
   }
-  OtherProgram right{model_, xnewell::approachOf(settings_)};
+  OtherProgram right{model_, {}};
   const bool textured = !picture_.scene().textures.empty();
   for (const auto& one : ofFace) facesSampled_ += !one.empty();
   if (facesSampled_ == 0) return;
@@ -139,18 +139,12 @@ void Diagnoser::chooseSamples() {
 
 Approach Diagnoser::approachOf(const Fit& fit) const {
   if (!fit.number) return approachWith(*fit.first, fit.second);
-  Approach way = xnewell::approachOf(settings_);
-  way.number = fit.number;
-  return way;
+  return {.number = fit.number};
 }
 
 Approach Diagnoser::approachWith(const Hypothesis& first, const Hypothesis* second) const {
-  Approach way = xnewell::approachOf(settings_);
-  for (const Hypothesis* h : {&first, second})
-    if (h) {
-      h->change(way);
-      if (h->view) way.view = h->view;
-    }
+  Approach way = first.way;
+  if (second) way.add(second->way);
   return way;
 }
 
@@ -216,9 +210,7 @@ bool Diagnoser::hasOurCells(const HandedIn& handed) {
   if (!handed.cells || model_.colors) return false;
   for (const StoreWay store : {StoreWay::AsAsked, StoreWay::Rounded8, StoreWay::Minus11, StoreWay::EightIn16,
                                StoreWay::Ratio240, StoreWay::Ratio64, StoreWay::Backwards, StoreWay::Gamma}) {
-    Approach way = xnewell::approachOf(settings_);
-    way.store = store;
-    const OtherProgram program{model_, way};
+    const OtherProgram program{model_, {.store = store}};
     std::size_t same = 0;
     for (const DiagnosedSample& s : samples_) {
       const int cell = handed.cells->row(s.j)[s.i];
@@ -252,7 +244,7 @@ Diagnosis Diagnoser::operator()(const HandedIn& handed) {
   }
   d.readsCells = hasOurCells(handed);
   asHanded_ = read(handed, samples_, d.readsCells);
-  const OtherProgram right{model_, xnewell::approachOf(settings_)};
+  const OtherProgram right{model_, {}};
   const double top = model_.colors ? 255.0 : right.stored(right.brightest());
   d.brightest = static_cast<double>(std::ranges::count_if(
                     asHanded_.value, [&](const auto& v) { return std::ranges::max(v) >= top; })) /

@@ -24,9 +24,8 @@ struct Hypothesis {
   std::string_view key, sentence;
   std::string_view term;  ///< the part of the equation, of the table or of the painting that it touches
   Meaning meaning = Meaning::Wrong;
-  void (*change)(Approach&) = nullptr;                ///< what is done otherwise
+  Approach way = {};                                  ///< what is done otherwise
   bool (*applies)(const PictureSettings&) = nullptr;  ///< null: always
-  const ViewMistake* view = nullptr;                  ///< what is done otherwise to the places
   bool (*changes)(const Light&) = nullptr;            ///< the lights that it changes; null: any, or none
 };
 
@@ -38,8 +37,5 @@ struct Hypothesis {
 /// The number of different mistakes in them.
 [[nodiscard]] int mistakesKnown();
 [[nodiscard]] const Hypothesis* hypothesisNamed(std::string_view key);
-
-/// What a program does that works as the settings say, but for one row.
-[[nodiscard]] Approach approachOf(const PictureSettings& settings);
 
 }  // namespace xnewell

@@ -81,9 +81,7 @@ std::vector<Fit> Diagnoser::numbersThatFit(bool fine) {
   const std::size_t stride = tellsExactly() ? kThinned : 3 * kThinned;  // smooth pictures take longer
   if (known.empty())
     for (const OtherNumber& number : likelyNumbers(fine)) {
-      Approach way = xnewell::approachOf(settings_);
-      way.number = number;
-      known.emplace_back(number, predicted(way, stride));
+      known.emplace_back(number, predicted({.number = number}, stride));
     }
   std::vector<Fit> some;
   for (const auto& [number, shown] : known) {

@@ -6,6 +6,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
+#include "geometry/exact/plane.h"
+#include "geometry/exact/unit.h"
 #include "geometry/view/screen_grid.h"
 #include "shading/diagnose/other_view.h"
 #include "shading/light/depth_shading.h"
@@ -16,14 +18,7 @@ namespace xnewell {
 
 namespace {
 
-glm::dvec3 unitOr0(const glm::dvec3& v) {
-  const double length = glm::length(v);
-  return length > 0.0 ? v / length : glm::dvec3{0.0};
-}
-
-bool isProjected(NormalWay way) {
-  return way == NormalWay::Warped || way == NormalWay::WarpedDeep || way == NormalWay::WarpedInPixels;
-}
+bool isProjected(NormalWay way) { return NormalWay::Warped <= way && way <= NormalWay::WarpedInPixels; }
 bool isLong(NormalWay way) { return way == NormalWay::Newell || way == NormalWay::CornerProduct; }
 
 }  // namespace
@@ -40,13 +35,15 @@ OtherModel::OtherModel(const Picture& picture) : picture_{picture} {
   rotation_ = vrcRotation(camera.view);
   const ViewSteps steps{camera, unit, picture.settings().width, picture.settings().height};
   scaling_ = glm::dmat3{steps.S * steps.SH};
-  towardsViewer_ = unitOr0(camera.view.vpn);
-  pixelsHigh_ = picture.settings().height / 2.0;
+  towardsViewer_ = xnewell::unit(camera.view.vpn);
+  const glm::dvec3 halves{picture.settings().width / 2.0, picture.settings().height / 2.0, 1};
   const glm::dmat4 warp = canonicalFromVrc(camera.view);
   for (const glm::dvec3& p : scene.mesh.points) {
     const glm::dvec4 q = warp * glm::dvec4{rotation_ * (p - camera.view.vrp), 1.0};
-    warped_.emplace_back(glm::dvec3{q} / q.w);
-    deep_.push_back(glm::dot(unit * p - eye, towardsViewer_));
+    const glm::dvec3 warped = glm::dvec3{q} / q.w;
+    const double deep = glm::dot(unit * p - eye, towardsViewer_);  // larger is nearer
+    projected_[0].push_back(warped), projected_[1].emplace_back(warped.x, warped.y, deep);
+    projected_[2].push_back(halves * projected_[1].back());
   }
   facesAt_.resize(points_.size());
   for (int f = 0; f < mesh().faceCount(); ++f)
@@ -109,11 +106,9 @@ glm::dvec3 OtherModel::mapped(NormalWay way, const glm::dvec3& N) const {
     case NormalWay::NotTurned:
       return back * N;
     case NormalWay::ByMatrix:
-      return unitOr0(back * (scaling_ * (rotation_ * N)));
+      return xnewell::unit(back * (scaling_ * (rotation_ * N)));
     case NormalWay::Scaled:
       return back * (glm::inverse(glm::transpose(scaling_)) * (rotation_ * N));
-    case NormalWay::Inward:
-      return -N;
     default:
       return N;
   }
@@ -127,75 +122,37 @@ bool OtherModel::isBack(int face) const {
 
 glm::dvec3 OtherModel::centroid(int face, CentroidWay way) const {
   const auto corners = mesh().face(face);
-  const glm::dvec3& first = points_[corners[0]];
-  if (way == CentroidWay::FirstCorner) return first;
+  if (way == CentroidWay::FirstCorner) return points_[corners[0]];
+  if (way == CentroidWay::OfArea) return xnewell::centroid(points_, corners);
   glm::dvec3 sum{0.0};
-  double weight = 0.0;
-  if (way == CentroidWay::OfArea) {
-    const glm::dvec3 N = faceNormal(face, NormalWay::Newell);
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-      const glm::dvec3 a = points_[corners[k]] - first, b = points_[corners[k + 1]] - first;
-      const double area = glm::dot(glm::cross(a, b), N);
-      sum += area * (a + b) / 3.0, weight += area;
-    }
-    if (weight > 0.0) return first + sum / weight;
-    sum = glm::dvec3{0.0};
-  }
-  for (const int point : corners) sum += points_[point] - first;
-  return first + sum / static_cast<double>(corners.size());
+  for (const int point : corners) sum += points_[point];
+  return sum / static_cast<double>(corners.size());
 }
 
-/// The cross product of two sides of a triangle of points, where the way has it.
-glm::dvec3 OtherModel::product(int a, int b, int c, NormalWay way) const {
-  if (!isProjected(way)) return glm::cross(points_[b] - points_[a], points_[c] - points_[a]);
-  glm::dvec3 p = warped_[b] - warped_[a], q = warped_[c] - warped_[a];
-  if (way != NormalWay::Warped)  // z is the distance along the viewing direction
-    p.z = deep_[b] - deep_[a], q.z = deep_[c] - deep_[a];
-  if (way == NormalWay::WarpedInPixels) {
-    const double wide = pixelsHigh_ * picture_.settings().width / picture_.settings().height;
-    p = {p.x * wide, p.y * pixelsHigh_, p.z}, q = {q.x * wide, q.y * pixelsHigh_, q.z};
-  }
-  return glm::cross(p, q);
+const std::vector<glm::dvec3>& OtherModel::pointsFor(NormalWay way) const {
+  return isProjected(way) ? projected_[static_cast<int>(way) - static_cast<int>(NormalWay::Warped)] : points_;
 }
 
 glm::dvec3 OtherModel::faceNormal(int face, NormalWay way, int from) const {
   const auto corners = mesh().face(face);
-  if (way == NormalWay::CornerProduct) return product(corners[0], corners[1], corners[2], way);
-  const auto corner = [&](int k) { return corners[static_cast<std::size_t>(k) % corners.size()]; };
-  if (way == NormalWay::ThreeCorners)
-    return unitOr0(product(corner(from), corner(from + 1), corner(from + 2), way));
-  glm::dvec3 sum{0.0};
-  for (std::size_t k = 1; k + 1 < corners.size(); ++k)
-    sum += product(corners[0], corners[k], corners[k + 1], way);
-  if (way == NormalWay::Newell) return sum;
-  return mapped(way, unitOr0(sum));
+  const std::vector<glm::dvec3>& points = pointsFor(way);
+  const auto corner = [&](int k) { return points[corners[static_cast<std::size_t>(k) % corners.size()]]; };
+  if (way == NormalWay::CornerProduct || way == NormalWay::ThreeCorners) {
+    const glm::dvec3 product = glm::cross(corner(from + 1) - corner(from), corner(from + 2) - corner(from));
+    return way == NormalWay::CornerProduct ? product : xnewell::unit(product);
+  }
+  const glm::dvec3 sum = newellVector(points, corners);
+  return way == NormalWay::Newell ? sum : mapped(way, xnewell::unit(sum));
 }
 
-std::vector<glm::dvec3> OtherModel::makeCornerNormals(VertexWay vertex, NormalWay normal) const {
-  const bool own = isLong(normal) || isProjected(normal);
-  const NormalWay base = own ? normal : NormalWay::Unit;
+std::vector<glm::dvec3> OtherModel::makeCornerNormals(const Approach& way) const {
+  const bool own = isLong(way.normal) || isProjected(way.normal);
+  const VertexWay vertex = way.vertex;
+  const NormalWay base = own ? way.normal : NormalWay::Unit;
   std::vector<glm::dvec3> ofCorner(mesh().corners.size(), glm::dvec3{0.0});
-  PictureSettings settings = picture_.settings();
-  bool byRule = !own;
-  switch (vertex) {
-    case VertexWay::AsAsked:
-      break;
-    case VertexWay::Distinct:
-      settings.normals = NormalRule::Distinct;
-      break;
-    case VertexWay::Area:
-      settings.normals = NormalRule::Area;
-      break;
-    case VertexWay::Angle:
-      settings.normals = NormalRule::Angle;
-      break;
-    case VertexWay::Patch:
-      settings.normals = NormalRule::File;
-      break;
-    default:
-      byRule = false;
-  }
-  if (byRule) {
+  if (!own && vertex == VertexWay::AsAsked) {
+    PictureSettings settings = picture_.settings();
+    settings.normals = way.rule.value_or(settings.normals);
     const Vertices made = smoothVertices(picture_.scene(), settings);
     for (std::size_t k = 0; k < ofCorner.size(); ++k) ofCorner[k] = made.vertices[made.ofCorner[k]].N;
   } else {
@@ -215,25 +172,26 @@ std::vector<glm::dvec3> OtherModel::makeCornerNormals(VertexWay vertex, NormalWa
       if (vertex == VertexWay::TrianglesTwice)
         for (std::size_t k = 1; k + 1 < corners.size(); ++k)
           for (const int point : {corners[0], corners[k], corners[k + 1]})
-            sums[point] += unitOr0(product(corners[0], corners[k], corners[k + 1], base));
+            sums[point] += xnewell::unit(
+                newellVector(pointsFor(base), std::array{corners[0], corners[k], corners[k + 1]}));
     }
     for (std::size_t p = 0; p < sums.size(); ++p) {
       if (vertex == VertexWay::MeanNotUnit)
         sums[p] /= std::max(1.0, counts[p]);
       else if (vertex != VertexWay::SumNotUnit && !isLong(base))
-        sums[p] = unitOr0(sums[p]);
+        sums[p] = xnewell::unit(sums[p]);
     }
     for (int f = 0; f < mesh().faceCount(); ++f)
       for (int c = mesh().firstCorner[f]; c < mesh().firstCorner[f + 1]; ++c)
         ofCorner[c] = vertex == VertexWay::OwnFace ? faceNormal(f, base) : sums[mesh().corners[c]];
   }
-  for (glm::dvec3& N : ofCorner) N = mapped(normal, N);
+  for (glm::dvec3& N : ofCorner) N = mapped(way.normal, N);
   return ofCorner;
 }
 
-const std::vector<glm::dvec3>& OtherModel::cornerNormals(VertexWay vertex, NormalWay normal) {
-  const auto [at, isNew] = cornerNormals_.try_emplace({vertex, normal});
-  if (isNew) at->second = makeCornerNormals(vertex, normal);
+const std::vector<glm::dvec3>& OtherModel::cornerNormals(const Approach& way) {
+  const auto [at, isNew] = cornerNormals_.try_emplace({way.rule, way.vertex, way.normal});
+  if (isNew) at->second = makeCornerNormals(way);
   return at->second;
 }
 

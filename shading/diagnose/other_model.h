@@ -4,7 +4,7 @@
 #include <glm/mat3x3.hpp>
 #include <map>
 #include <optional>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "shading/diagnose/approach.h"
@@ -32,7 +32,7 @@ class OtherModel {
   /// `from` is the first of three corners.
   [[nodiscard]] glm::dvec3 faceNormal(int face, NormalWay way, int from = 0) const;
   /// The normals at all corners, before they are turned to a side; made when they are first asked for.
-  [[nodiscard]] const std::vector<glm::dvec3>& cornerNormals(VertexWay vertex, NormalWay normal);
+  [[nodiscard]] const std::vector<glm::dvec3>& cornerNormals(const Approach& way);
   /// True if the viewer sees the back of a face.
   [[nodiscard]] bool isBack(int face) const;
   /// The faces at each point.
@@ -61,19 +61,20 @@ class OtherModel {
   std::vector<double> byDepth;  ///< of each snapped face, for shading by depth
 
  private:
-  [[nodiscard]] std::vector<glm::dvec3> makeCornerNormals(VertexWay vertex, NormalWay normal) const;
+  [[nodiscard]] std::vector<glm::dvec3> makeCornerNormals(const Approach& way) const;
   [[nodiscard]] glm::dvec3 mapped(NormalWay way, const glm::dvec3& N) const;
-  [[nodiscard]] glm::dvec3 product(int a, int b, int c, NormalWay way) const;
+  [[nodiscard]] const std::vector<glm::dvec3>& pointsFor(NormalWay way) const;
 
   const Picture& picture_;
-  std::vector<glm::dvec3> points_, warped_;  ///< #points: in file units; after projection
-  std::vector<double> deep_;  ///< z of each point along the viewing direction, larger is nearer
+  std::vector<glm::dvec3> points_;  ///< in file units
+  /// After projection: z in [-1, 0]; z along the viewing direction; and x and y in pixels, too.
+  std::array<std::vector<glm::dvec3>, 3> projected_;
   std::vector<std::vector<int>> facesAt_;
   glm::dmat3 rotation_{1.0}, scaling_{1.0};  ///< to VRC; there, by S SH
   std::map<const ViewMistake*, Places> places_;
   glm::dvec3 towardsViewer_{0};
-  double pixelsHigh_ = 1;
-  std::map<std::pair<VertexWay, NormalWay>, std::vector<glm::dvec3>> cornerNormals_;
+  std::map<std::tuple<std::optional<NormalRule>, VertexWay, NormalWay>, std::vector<glm::dvec3>>
+      cornerNormals_;
 };
 
 }  // namespace xnewell

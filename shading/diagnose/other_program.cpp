@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
+#include "geometry/exact/unit.h"
 #include "geometry/view/screen_grid.h"
+#include "shading/fill/row_values.h"
 
 namespace xnewell {
 
@@ -13,45 +14,13 @@ namespace {
 
 constexpr std::array<double, 3> kNoTexel{1, 1, 1};
 
-glm::dvec3 unitVector(const glm::dvec3& v) {
-  const double length = glm::length(v);
-  return length > 0.0 ? v / length : v;
-}
-
 double clamped01(double v) { return std::clamp(v, 0.0, 1.0); }
-
-double clampedBy(ClampWay way, double cosine) {
-  switch (way) {
-    case ClampWay::Positive:
-      return std::max(0.0, cosine);
-    case ClampWay::Signed:
-      return cosine;
-    case ClampWay::Absolute:
-      return std::abs(cosine);
-    case ClampWay::ByAngle:
-      return std::max(0.0, 1.0 - std::acos(std::clamp(cosine, -1.0, 1.0)) / (std::numbers::pi / 2));
-  }
-  return cosine;
-}
 
 /// What the picture has of an intensity.
 double toned(SumWay way, double I) {
   if (way == SumWay::Tone) return I / (1.0 + std::max(0.0, I));
   if (way == SumWay::Exponential) return 1.0 - std::exp(-I);
   return way == SumWay::Whole ? std::floor(std::min(1.0, I)) : I;
-}
-
-/// v^n, as far as a picture can tell.
-double toThe(double v, double n) { return std::clamp(n == 0.0 ? 1.0 : std::pow(v, n), -1e6, 1e6); }
-
-/// What a spot's cone leaves of the light in direction -L.
-double coneShare(const Light& light, const glm::dvec3& L) {
-  if (light.kind != LightKind::Spot) return 1.0;
-  const double degree = std::numbers::pi / 180, cosine = -glm::dot(unitVector(light.direction), L);
-  const double inner = std::cos(light.inner * degree), outer = std::cos(light.outer * degree);
-  if (cosine >= inner) return 1.0;
-  if (cosine <= outer) return 0.0;
-  return toThe((cosine - outer) / (inner - outer), light.falloff);
 }
 
 /// The number, or the one that takes its place.
@@ -69,46 +38,23 @@ TableSettings tableOf(const Approach& way, TableSettings table) {
 
 OtherProgram::OtherProgram(OtherModel& model, const Approach& way)
     : model_{model},
-      way_{way},
+      way_{way.with(model.picture().settings())},
       places_{model.placesOf(way.view)},
-      table_{tableOf(way, model.picture().settings().table)},
+      table_{tableOf(way_, model.picture().settings().table)},
       faces_(2 * static_cast<std::size_t>(model.mesh().faceCount())),
       corners_(2 * model.mesh().corners.size()) {}
 
-double OtherProgram::fade(const Light& light, double d) const {
+double OtherProgram::fade(Light light, double d) const {
   if (light.kind == LightKind::Directional) return 1.0;
-  const double scene = d / model_.unit;
-  double f = 1.0;
-  switch (light.attenuation) {
-    case Attenuation::None:
-      break;
-    case Attenuation::Inverse:
-      f = 1.0 / d;
-      break;
-    case Attenuation::InverseSquare:
-      f = 1.0 / (d * d);
-      break;
-    case Attenuation::Linear:
-      f = std::max(0.0, 1.0 - scene / light.range);
-      break;
-    case Attenuation::Textbook:
-      f = 1.0 / (light.c.x + light.c.y * scene + light.c.z * scene * scene);
-      break;
-  }
-  if (way_.fade == FadeWay::Forgotten) return 1.0;
-  if (way_.fade == FadeWay::Inverse) f = 1.0 / d;
-  if (way_.fade == FadeWay::InverseSquare) f = 1.0 / (d * d);
-  return way_.fade == FadeWay::NoLimit ? f : std::min(1.0, f);
+  light.attenuation = way_.fade.value_or(light.attenuation);
+  return attenuation(light, d / model_.unit, 1.0 / model_.unit, !way_.fadesAbove1);
 }
 
 void OtherProgram::addLight(LitPlace& sum, const Light& light, const glm::dvec3& P, const glm::dvec3& N,
                             const glm::dvec3& V, const std::array<Reflection, 3>& surface) const {
   const bool far = light.kind == LightKind::Directional;
-  const auto changed = [&](glm::dvec3 v) {
-    v *= way_.lightSigns;
-    return way_.swapsLightYz ? glm::dvec3{v.x, v.z, v.y} : v;
-  };
-  const glm::dvec3 place = changed(far ? light.direction : light.position);
+  glm::dvec3 place = way_.lightSigns * (far ? light.direction : light.position);
+  if (way_.swapsLightYz) std::swap(place.y, place.z);
   glm::dvec3 towards = far ? place : place - P;
   double d = glm::length(towards);
   if (!far && way_.light == TowardsLight::Constant) towards = place - model_.centre, d = glm::length(towards);
@@ -116,65 +62,14 @@ void OtherProgram::addLight(LitPlace& sum, const Light& light, const glm::dvec3&
   if (!far && way_.light == TowardsLight::PlaceAsDirection) towards = place;
   if (!far && way_.light == TowardsLight::FarPlace) towards = place, d = glm::length(place);
   if (way_.light == TowardsLight::NotMoved) towards = model_.notMoved(place, far, P);
-  const glm::dvec3 unitL = unitVector(towards);
-  glm::dvec3 L = way_.light == TowardsLight::NotUnit ? towards : unitL;
-  if (way_.light == TowardsLight::Away) L = -L;
-  const double cone = far ? 1.0 : coneShare(light, unitVector(place - P));
-  const double f = fade(light, d) * cone;
-
-  const double NL = glm::dot(N, L), facing = clampedBy(way_.facing, NL);
-  const double inR = way_.facingFlowsOn ? facing : NL;
-  const Form form = model_.picture().settings().light.form;
-  CosineWay which = way_.cosine;
-  if (which == CosineWay::AsAsked && form == Form::HalfVector) which = CosineWay::Halfway;
-  if (which == CosineWay::AsAsked && form == Form::Tutorial) which = CosineWay::Facing;
-  double RV = 0.0;
-  switch (which) {
-    case CosineWay::AsAsked:
-      RV = glm::dot(2.0 * inR * N - L, V);
-      break;
-    case CosineWay::Reversed:
-      RV = glm::dot(L - 2.0 * inR * N, V);
-      break;
-    case CosineWay::Without2:
-      RV = glm::dot(inR * N - L, V);
-      break;
-    case CosineWay::PlusL:
-      RV = glm::dot(2.0 * inR * N + L, V);
-      break;
-    case CosineWay::WithL:
-      RV = glm::dot(2.0 * inR * N - L, L);
-      break;
-    case CosineWay::Halfway:
-      RV = glm::dot(N, unitVector(L + V));
-      break;
-    case CosineWay::Facing:
-      RV = NL;
-      break;
-  }
-  sum.isLit |= NL > 0.0;
-  if (std::isnan(sum.NdotL)) sum.NdotL = NL, sum.RdotV = RV;
-  const double counted = clampedBy(way_.reflected, RV);
-  const bool shines = inR > 0.0 || way_.highlightBehind;
+  const glm::dvec3 L = way_.light == TowardsLight::NotUnit ? towards : unit(towards);
+  const double f = fade(light, d) * spotShare(light, unit(place - P));
   for (int c = 0; c < model_.channels; ++c) {
-    const Reflection& s = surface[c];
-    const double n = s.n * way_.nTimes;
-    double Ip = numberOr(way_, NumberOf::Ip, light.Ip[c]), IpOfHighlight = Ip;
-    if (way_.Ip == IpWay::Forgotten) Ip = IpOfHighlight = 1.0;
-    if (way_.Ip == IpWay::OnDiffuse) IpOfHighlight = 1.0;
-    if (way_.Ip == IpWay::OnHighlight) Ip = 1.0;
-    if (way_.power == PowerWay::OfSum) {
-      sum.diffuse[c] += f * Ip * toThe(s.kd * facing + (shines ? s.ks * counted : 0.0), n);
-      continue;
-    }
-    sum.diffuse[c] += way_.diffuse * f * Ip * s.kd * facing;
-    if (!shines) continue;
-    double highlight = s.ks * toThe(counted, n);
-    if (way_.power == PowerWay::Forgotten) highlight = s.ks * counted;
-    if (way_.power == PowerWay::Times) highlight = s.ks * n * counted;
-    if (way_.power == PowerWay::WithKs) highlight = toThe(s.ks * counted, n);
-    if (way_.highlightTimesFacing) highlight *= facing;
-    sum.rest[c] += way_.specular * f * IpOfHighlight * highlight;
+    const LightTerms terms = lightTerms(way_.equation, f, numberOr(way_, NumberOf::Ip, light.Ip[c]),
+                                        surface[c], {N, L, V}, *way_.form);
+    sum.diffuse[c] += terms.diffuse, sum.rest[c] += terms.specular;
+    sum.isLit |= terms.NdotL > 0.0;
+    if (std::isnan(sum.NdotL)) sum.NdotL = terms.NdotL, sum.RdotV = terms.cosine;
   }
 }
 
@@ -183,29 +78,25 @@ LitPlace OtherProgram::lit(const glm::dvec3& P, const glm::dvec3& N, int materia
   for (Reflection& s : surface) {
     s.ka = numberOr(way_, NumberOf::ka, s.ka), s.ks = numberOr(way_, NumberOf::ks, s.ks);
     s.kd = numberOr(way_, NumberOf::kd, s.kd);
-    s.n = static_cast<decltype(s.n)>(numberOr(way_, NumberOf::n, s.n));
-    const double whole = s.kd;
-    if (way_.swapsKaKd) s.kd = s.ka, s.ka = whole;
-    if (way_.swapsKdKs) s.kd = s.ks, s.ks = whole;
+    s.n = static_cast<int>(way_.nTimes * numberOr(way_, NumberOf::n, s.n));
+    if (way_.swapsKaKd) std::swap(s.ka, s.kd);
     if (way_.noKa) s.ka = 1.0;
   }
   glm::dvec3 towards = model_.eye - P;
   if (way_.eye == TowardsEye::Constant) towards = model_.eye - model_.lookAt;
   if (way_.eye == TowardsEye::PlaceOfEye) towards = model_.eye;
   if (way_.eye == TowardsEye::FromLookAt) towards = model_.lookAt - P;
-  glm::dvec3 V = way_.eye == TowardsEye::NotUnit ? towards : unitVector(towards);
-  if (way_.eye == TowardsEye::Away) V = -V;
+  const glm::dvec3 V = way_.eye == TowardsEye::NotUnit ? towards : unit(towards);
   std::array<double, 3> ambient{};
   for (int c = 0; c < model_.channels; ++c)
-    ambient[c] = way_.ambient * surface[c].ka * numberOr(way_, NumberOf::Ia, model_.Ia[c]);
-  if (way_.fade == FadeWay::OnAmbient)
+    ambient[c] = way_.equation.ambient * surface[c].ka * numberOr(way_, NumberOf::Ia, model_.Ia[c]);
+  if (way_.ambientFades)
     for (const Light& light : model_.lights) {
       const double f = fade(light, glm::length(light.position - P));
       for (double& one : ambient) one *= f;
     }
-  const bool away = way_.turnsByV && way_.twoSided && glm::dot(N, V) < 0.0;
   LitPlace sum;
-  for (const Light& light : model_.lights) addLight(sum, light, P, away ? -N : N, V, surface);
+  for (const Light& light : model_.lights) addLight(sum, light, P, N, V, surface);
   for (int c = 0; c < model_.channels; ++c) {
     double &rest = sum.rest[c], &diffuse = sum.diffuse[c];
     if (way_.sum == SumWay::Largest || way_.sum == SumWay::LargerOfLight) {
@@ -221,7 +112,7 @@ LitPlace OtherProgram::lit(const glm::dvec3& P, const glm::dvec3& N, int materia
 LitPlace OtherProgram::ofTriangle(const SnappedFace& face, const InTriangle& in) const {
   const glm::dvec3 &a = model_.place(in.corner[0]), &b = model_.place(in.corner[1]),
                    &c = model_.place(in.corner[2]);
-  glm::dvec3 N = unitVector(glm::cross(b - a, c - a));
+  glm::dvec3 N = unit(glm::cross(b - a, c - a));
   if (glm::dot(N, model_.faceNormal(face.number, NormalWay::Unit)) < 0.0) N = -N;  // its outline is reversed
   return lit((a + b + c) / 3.0, side(face.back) * N, model_.mesh().material[face.number]);
 }
@@ -251,7 +142,7 @@ const LitPlace& OtherProgram::atCorner(int face, int corner, bool back) {
   std::optional<LitPlace>& known = corners_[2 * static_cast<std::size_t>(corner) + back];
   if (!known && way_.meansOfFaces) known = meanOfFaces(model_.mesh().corners[corner]);
   if (!known)
-    known = lit(model_.place(corner), side(back) * model_.cornerNormals(way_.vertex, way_.normal)[corner],
+    known = lit(model_.place(corner), side(back) * model_.cornerNormals(way_)[corner],
                 model_.mesh().material[face]);
   return *known;
 }
@@ -274,37 +165,24 @@ LitPlace OtherProgram::gouraud(const SnappedFace& face, const InTriangle& in, bo
 }
 
 LitPlace OtherProgram::alongRow(const SnappedFace& face, int i, int j, bool clamps) {
-  const SnappedScene& scene = model_.snapped();
-  const double y = j + 0.5, x = i + 0.5;
-  struct Crossing {
-    double x = 0;
-    std::array<double, 3> I{};
-  };
-  std::vector<Crossing> ends;
-  for (int k = 0; k < face.count; ++k) {
-    const int a = face.first + k, b = face.first + (k + 1) % face.count;
-    const glm::dvec2 p = *places_.onScreen[scene.source[a]], q = *places_.onScreen[scene.source[b]];
-    if ((p.y <= y) == (q.y <= y)) continue;
-    const double t = (y - p.y) / (q.y - p.y);
-    const LitPlace &A = atCorner(face.number, scene.source[a], face.back),
-                   &B = atCorner(face.number, scene.source[b], face.back);
-    Crossing here{p.x + t * (q.x - p.x), {}};
-    for (int c = 0; c < model_.channels; ++c) {
-      const double first = A.rest[c] + A.diffuse[c], second = B.rest[c] + B.diffuse[c];
-      here.I[c] = clamps ? clamped01(first) + t * (clamped01(second) - clamped01(first))
-                         : first + t * (second - first);
-    }
-    ends.push_back(here);
-  }
+  const int* const corner = &model_.snapped().source[face.first];
+  std::vector<glm::ivec3> outline;
+  for (int k = 0; k < face.count; ++k)
+    outline.emplace_back(glm::round(*places_.onScreen[corner[k]] * double{kGrid}), 0);
   LitPlace sum;
-  if (ends.size() < 2) return sum;
-  const double width = ends[1].x - ends[0].x, t = width != 0.0 ? (x - ends[0].x) / width : 0.5;
-  for (int c = 0; c < model_.channels; ++c) sum.rest[c] = ends[0].I[c] + t * (ends[1].I[c] - ends[0].I[c]);
+  for (int c = 0; c < model_.channels; ++c) {
+    std::vector<double> I;
+    for (int k = 0; k < face.count; ++k) {
+      const LitPlace& at = atCorner(face.number, corner[k], face.back);
+      I.push_back(clamps ? clamped01(at.rest[c] + at.diffuse[c]) : at.rest[c] + at.diffuse[c]);
+    }
+    sum.rest[c] = RowValues{outline.data(), face.count, std::move(I)}.at(i, j);
+  }
   return sum;
 }
 
 LitPlace OtherProgram::phong(const SnappedFace& face, const InTriangle& in) {
-  const std::vector<glm::dvec3>& normals = model_.cornerNormals(way_.vertex, way_.normal);
+  const std::vector<glm::dvec3>& normals = model_.cornerNormals(way_);
   const auto& weights = way_.onScreen || way_.longNormals ? in.onScreen : in.inWorld;
   const bool isLong = way_.longNormals || way_.normal == NormalWay::Newell ||
                       way_.normal == NormalWay::CornerProduct || way_.normal == NormalWay::Scaled;
@@ -313,7 +191,7 @@ LitPlace OtherProgram::phong(const SnappedFace& face, const InTriangle& in) {
     P += (way_.onScreen ? in.onScreen : in.inWorld)[k] * model_.place(in.corner[k]);
     N += weights[k] * normals[in.corner[k]];
   }
-  return lit(P, side(face.back) * (isLong ? N : unitVector(N)), model_.mesh().material[face.number]);
+  return lit(P, side(face.back) * (isLong ? N : unit(N)), model_.mesh().material[face.number]);
 }
 
 double OtherProgram::intensity(const LitPlace& place, const std::array<double, 3>& texel) const {
@@ -359,7 +237,7 @@ ShownHere OtherProgram::at(int face, int i, int j) {
   InTriangle in;
   // What clipping has cut is not known between its corners, and is shown flat.
   const bool whole = isWhole(f);
-  const Shading method = whole || way_.method == Shading::Depth ? way_.method : Shading::Flat;
+  const Shading method = whole || way_.method == Shading::Depth ? *way_.method : Shading::Flat;
   if (whole) in = triangle(f, i, j);
   if (method == Shading::Flat)
     place = whole && way_.centroid == CentroidWay::OfTriangle ? ofTriangle(f, in) : ofFace(f.number, f.back);
@@ -412,15 +290,13 @@ double nearestWhole(double v) { return std::floor(v + 0.5); }
 
 }  // namespace
 
-/// The cell before it is rounded, counted from the first; for tables that pick by nearest ratio or by an even
-/// step.
+/// The cell before it is rounded, counted from the first.
 double OtherProgram::realCell(double I) const {
   const TableSettings& s = table_.settings();
   const int last = table_.shades() - 1;
   const double lnR = std::log(1.0 / s.I0) / last;
-  CellWay way = way_.cell;
-  const bool even = isEven(s.kind);
-  switch (way) {
+  const double ratios = I > 0.0 ? std::max(0.0, std::log(I / s.I0) / lnR) : 0.0;
+  switch (way_.cell) {
     case CellWay::By240:
       return (last + 1) * I;
     case CellWay::By255:
@@ -428,13 +304,13 @@ double OtherProgram::realCell(double I) const {
     case CellWay::Even:
       return last * I;
     case CellWay::Ratios:
-      return I > 0.0 ? std::max(0.0, std::log(I / s.I0) / lnR) : 0.0;
+      return ratios;
     case CellWay::Ratio240:
-      return I > 0.0 ? std::max(0.0, std::log(I / s.I0) / lnR * (last + 1) / last) : 0.0;
+      return ratios * (last + 1) / last;
     case CellWay::Ratio64:
-      return I > 0.0 ? std::max(0.0, std::log(I / s.I0) / lnR * 63 / last) : 0.0;
+      return ratios * 63 / last;
     case CellWay::NaturalLog:
-      return I > 0.0 ? std::max(0.0, std::log(I / s.I0)) : 0.0;
+      return ratios * lnR;
     case CellWay::NoI0:
       return 0.0;
     case CellWay::NoI0Wraps:
@@ -442,13 +318,8 @@ double OtherProgram::realCell(double I) const {
     default:
       break;
   }
-  if (even) return last * I;
-  if (I <= s.I0) return 0.0;
-  const double real = std::log(I / s.I0) / lnR;
-  if (s.pick == Pick::Log) return real;
-  const double below = std::floor(real);  // nearest in difference
-  const double low = s.I0 * std::exp(lnR * below), high = s.I0 * std::exp(lnR * (below + 1));
-  return I - low < high - I ? below : below + 1;
+  if (isEven(s.kind)) return last * I;
+  return s.pick == Pick::Log ? ratios : table_.shade(I);
 }
 
 int OtherProgram::cellOf(double I) const {
@@ -533,25 +404,15 @@ OtherProgram::InTriangle OtherProgram::triangle(const SnappedFace& face, int i, 
   double inside = -1e300;
   for (std::size_t k = 1; k + 1 < fan.size(); ++k) {
     const std::array<int, 3> corner{fan[0], fan[k], fan[k + 1]};
-    std::array<double, 3> area{};
-    for (int e = 0; e < 3; ++e) {
-      const glm::dvec2 a = *places_.onScreen[corner[(e + 1) % 3]] - at,
-                       b = *places_.onScreen[corner[(e + 2) % 3]] - at;
-      area[e] = a.x * b.y - a.y * b.x;
-    }
-    const double whole = area[0] + area[1] + area[2];
-    if (whole == 0.0) continue;
-    for (double& a : area) a /= whole;
-    const double least = std::min({area[0], area[1], area[2]});
+    std::array<glm::dvec2, 3> p{};
+    std::array<double, 3> overDepth{};
+    for (int e = 0; e < 3; ++e)
+      p[e] = *places_.onScreen[corner[e]] - at, overDepth[e] = 1.0 / places_.depth[corner[e]];
+    const Weights onScreen = weightsOfOrigin(p);
+    const double least = std::ranges::min(onScreen);
     if (least <= inside) continue;
     inside = least;
-    best.onScreen = area, best.corner = corner;
-    double sum = 0.0;
-    for (int e = 0; e < 3; ++e) {
-      best.inWorld[e] = area[e] / places_.depth[corner[e]];
-      sum += best.inWorld[e];
-    }
-    for (double& w : best.inWorld) w /= sum;
+    best = {corner, onScreen, weightsInWorld(onScreen, overDepth)};
   }
   return best;
 }

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "shading/color/color_table.h"
+#include "shading/course/interpolation.h"
 #include "shading/diagnose/other_model.h"
 
 namespace xnewell {
 
-/// What a program that works in some way shows at a sample, in doubles, straight from the equation. It shares
-/// no code with termsOf(), lightTerms() or the loops that paint, so each can check the other.
+/// What a program that works in some way shows at a sample, in doubles, by the definitions of the equation
+/// and of the course. It shares no code with the loops that paint.
 
 /// The terms at one place; `rest` is the ambient and the specular term.
 struct LitPlace {
@@ -53,7 +54,7 @@ class OtherProgram {
   /// A sample in one of the triangles of its face.
   struct InTriangle {
     std::array<int, 3> corner{};  ///< indices into Mesh::corners
-    std::array<double, 3> onScreen{}, inWorld{};
+    Weights onScreen{}, inWorld{};
   };
   [[nodiscard]] bool isWhole(const SnappedFace& face) const;
   [[nodiscard]] std::vector<int> fanOf(const SnappedFace& face) const;
@@ -61,12 +62,14 @@ class OtherProgram {
   [[nodiscard]] LitPlace lit(const glm::dvec3& P, const glm::dvec3& N, int material) const;
   void addLight(LitPlace& sum, const Light& light, const glm::dvec3& P, const glm::dvec3& N,
                 const glm::dvec3& V, const std::array<Reflection, 3>& surface) const;
-  [[nodiscard]] double fade(const Light& light, double d) const;
+  [[nodiscard]] double fade(Light light, double d) const;
   [[nodiscard]] const LitPlace& ofFace(int face, bool back);
   [[nodiscard]] LitPlace ofTriangle(const SnappedFace& face, const InTriangle& in) const;
   [[nodiscard]] const LitPlace& atCorner(int face, int corner, bool back);
   [[nodiscard]] LitPlace meanOfFaces(int point);
-  [[nodiscard]] double side(bool back) const { return back && way_.twoSided && !way_.turnsByV ? -1.0 : 1.0; }
+  [[nodiscard]] double side(bool back) const {
+    return back && !way_.oneSided && !way_.equation.turnsByV ? -1.0 : 1.0;
+  }
   [[nodiscard]] LitPlace gouraud(const SnappedFace& face, const InTriangle& in, bool clamps);
   [[nodiscard]] LitPlace alongRow(const SnappedFace& face, int i, int j, bool clamps);
   [[nodiscard]] LitPlace phong(const SnappedFace& face, const InTriangle& in);
@@ -78,7 +81,7 @@ class OtherProgram {
   [[nodiscard]] double levelOf(int j) const;
 
   OtherModel& model_;
-  Approach way_;
+  Approach way_;  ///< with the settings
   const OtherModel::Places& places_;
   ColorTable table_;
   std::array<Reflection, 3> none_{};

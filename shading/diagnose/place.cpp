@@ -92,7 +92,7 @@ bool Diagnoser::decidePlaced(const HandedIn& handed, Diagnosis& d) {
     return others <= kByRounding;
   };
   for (const Hypothesis& h : hypotheses())
-    if (h.view && !h.view->isSmall() && !changesNothing(seenBy(h))) {
+    if (h.way.view && !h.way.view->isSmall() && !changesNothing(seenBy(h))) {
       const Score score = scoreOf(handed, seenBy(h), yours);
       Fit fit{.first = &h, .cost = 1.0 - score.share, .explained = score.share, .telling = score.counted};
       fit.informative = score.share, fit.faces = score.faces;
@@ -128,7 +128,8 @@ bool Diagnoser::decidePlaced(const HandedIn& handed, Diagnosis& d) {
     if (views[k].first.overlap < std::max(kOutlinesOnly, asItIs.overlap + 0.02)) continue;
     const Hypothesis& view = *views[k].second.first;
     for (const Hypothesis& h : hypotheses()) {
-      if (h.view || (h.meaning != Meaning::Wrong && h.meaning != Meaning::Allowed) || !applies(h)) continue;
+      if (h.way.view || (h.meaning != Meaning::Wrong && h.meaning != Meaning::Allowed) || !applies(h))
+        continue;
       Seen seen = seenBy(view);
       const Approach way = approachWith(view, &h);
       if (way.paint != PaintWay::Nearest) continue;
@@ -148,7 +149,7 @@ bool Diagnoser::decidePlaced(const HandedIn& handed, Diagnosis& d) {
 void Diagnoser::addWhatShowsNothing(const HandedIn& handed, Diagnosis& d) {
   std::set<std::string_view> keys;
   for (const Hypothesis& h : hypotheses()) {
-    if (!h.view) continue;
+    if (!h.way.view) continue;
     const Seen& seen = seenBy(h);
     const Read yours = read(handed, places_, false);
     const auto shows = [](int face) { return face >= 0; };
@@ -171,7 +172,7 @@ void Diagnoser::decideByEdges(const HandedIn& handed, Diagnosis& d) {
   const Fit base = d.found.front();
   double best = kMost;
   for (const Hypothesis& h : hypotheses()) {
-    if (!h.view || !h.view->isSmall()) continue;
+    if (!h.way.view || !h.way.view->isSmall()) continue;
     const Approach way = approachWith(h, base.first);
     const std::vector<int>& faces = facesOf(way);
     OtherProgram program{model_, way};

@@ -11,13 +11,6 @@ namespace xnewell {
 
 namespace {
 
-/// N and V as a mistake takes them. L counts for itself: there may be several.
-EquationVectors taken(Mistake mistake, const glm::dvec3& N, const glm::dvec3& V) {
-  const EquationVectors at{N, glm::dvec3{0.0}, V};
-  const MistakeRow& row = rowOf(mistake);
-  return row.vectors ? row.vectors(at) : at;
-}
-
 double sumOver(const std::vector<ExplainedLight>& lights, ByChannel ExplainedLight::*term, int channel) {
   double sum = 0.0;
   for (const ExplainedLight& light : lights) sum += (light.*term)[channel];
@@ -60,7 +53,8 @@ ExplainedEquation EquationAt::evaluate(const glm::dvec3& P, const glm::dvec3& N,
     for (int c = 0; c < lighting_.channels; ++c)
       at.I[c] += at.lights.back().diffuse[c] + at.lights.back().specular[c];
   }
-  const EquationVectors said = taken(lighting_.mistake, at.N, at.V);
+  // L counts for itself: there may be several.
+  const EquationVectors said = taken(rowOf(lighting_.mistake), {at.N, glm::dvec3{0.0}, at.V});
   at.N = said.N, at.V = said.V;
   return at;
 }

@@ -1,280 +1,77 @@
 #include "shading/light/mistake.h"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-
-#include "geometry/exact/power.h"
-#include "geometry/exact/trig.h"
-#include "geometry/exact/unit.h"
-
 namespace xnewell {
 
 namespace {
 
-constexpr double kMostPower = 1e6;
+using S = std::string_view;
 
-double same(double cosine) { return cosine; }
-double absolute(double cosine) { return std::abs(cosine); }
-double positive(double cosine) { return std::max(0.0, cosine); }
-double between0And1(double cosine) { return std::clamp(cosine, 0.0, 1.0); }
-
-/// 1 at 0 degrees, 0 at 90 degrees and beyond.
-double byAngle(double cosine) {
-  return std::max(0.0, 1.0 - degreesOf(std::sqrt(std::max(0.0, 1.0 - cosine * cosine)), cosine) / 90.0);
-}
-
-double boundedPower(double cosine, int n) { return std::clamp(power(cosine, n), -kMostPower, kMostPower); }
-
-/// (kd N.L + ks R.V)^n. Each of the two has its share of the power.
-DiffuseSpecular powerOfSum(const TermNumbers& t) {
-  const double sum = t.kd * t.facing + t.ks * t.cosine;
-  if (t.n == 0) return {t.f * t.Ip, 0.0};
-  const double rest = t.f * t.Ip * boundedPower(sum, t.n - 1);
-  return {rest * t.kd * t.facing, rest * t.ks * t.cosine};
-}
-
-DiffuseSpecular courseTerms(const TermNumbers& t) {
-  return {t.f * t.Ip * t.kd * t.facing, t.f * t.Ip * t.ks * boundedPower(t.cosine, t.n)};
+constexpr MistakeRow kNone;
+constexpr MistakeRow row(const EquationWay& way, Mistake id, S name, S label, S words, S is,
+                         S lightTerms = kNone.lightTerms, S R = kNone.R, S ambientTerm = kNone.ambientTerm) {
+  return {way, id, name, label, words, is, lightTerms, R, ambientTerm};
 }
 
 }  // namespace
 
 constinit const std::array<MistakeRow, 24> kMistakes{
-    MistakeRow{.id = Mistake::None,
-               .name = "none",
-               .label = "the course's",
-               .words = "the course's equation",
-               .is = "The equation of the course."},
-    MistakeRow{.id = Mistake::FacingUnclamped,
-               .name = "NL-unclamped",
-               .label = "no max(0, N.L)",
-               .words = "N.L not clamped",
-               .is = "N.L is not clamped, so a light behind a surface takes light away.",
-               .facing = same},
-    MistakeRow{.id = Mistake::FacingAbsolute,
-               .name = "NL-abs",
-               .label = "|N.L|",
-               .words = "N.L without its sign",
-               .is = "N.L loses its sign, so a light behind a surface shines through it.",
-               .lightTerms = "f*Ip [ kd*|NL| + ks*RV^n ]",
-               .facing = absolute},
-    MistakeRow{.id = Mistake::FacingByAngle,
-               .name = "NL-angle",
-               .label = "1 - angle/90",
-               .words = "the angle in place of N.L",
-               .is = "The angle between N and L takes the place of its cosine.",
-               .lightTerms = "f*Ip [ kd*(1 - angle/90) + ks*RV^n ]",
-               .facing = byAngle},
-    MistakeRow{.id = Mistake::ReflectedUnclamped,
-               .name = "RV-unclamped",
-               .label = "no max(0, R.V)",
-               .words = "R.V not clamped",
-               .is = "R.V is not clamped: an even n makes a second highlight opposite the first.",
-               .clamped = same},
-    MistakeRow{.id = Mistake::ReflectedAbsolute,
-               .name = "RV-abs",
-               .label = "|R.V|",
-               .words = "R.V without its sign",
-               .is = "R.V loses its sign: a second highlight is opposite the first.",
-               .lightTerms = "f*Ip [ kd*NL + ks*|RV|^n ]",
-               .clamped = absolute},
-    MistakeRow{.id = Mistake::HighlightBehind,
-               .name = "highlight-behind",
-               .label = "highlight behind",
-               .words = "highlights where N.L < 0",
-               .is = "The highlight is not tied to N.L > 0, so surfaces that face away from the light shine.",
-               .highlightBehind = true},
-    MistakeRow{
-        .id = Mistake::NotUnitN,
-        .name = "N-not-unit",
-        .label = "N not unit",
-        .words = "N not of unit length",
-        .is = "N is the cross product, or the sum of those around a vertex, not divided by its length.",
-        .longN = true,
-        .clamped = positive},
-    MistakeRow{.id = Mistake::InwardN,
-               .name = "N-inward",
-               .label = "N inward",
-               .words = "N inward",
-               .is = "N points into the solid, so the far side from the light is lit.",
-               .vectors =
-                   [](EquationVectors at) {
-                     return EquationVectors{-at.N, at.L, at.V};
-                   }},
-    MistakeRow{.id = Mistake::ReversedL,
-               .name = "L-sign",
-               .label = "L away",
-               .words = "L from the light",
-               .is = "L points away from the light, so the light comes from the opposite side.",
-               .vectors =
-                   [](EquationVectors at) {
-                     return EquationVectors{at.N, -at.L, at.V};
-                   }},
-    MistakeRow{.id = Mistake::ReversedV,
-               .name = "V-sign",
-               .label = "V away",
-               .words = "V from the eye",
-               .is = "V points away from the eye, so the highlights are on the side that is not seen.",
-               .vectors =
-                   [](EquationVectors at) {
-                     return EquationVectors{at.N, at.L, -at.V};
-                   }},
-    MistakeRow{
-        .id = Mistake::ReversedR,
-        .name = "R-sign",
-        .label = "R reversed",
-        .words = "R reversed",
-        .is = "R is L - 2 N (N.L), the direction into the surface. The highlights vanish.",
-        .R = "L - 2 N (N.L)",
-        .reflected = [](const glm::dvec3& N, const glm::dvec3& L) { return L - 2.0 * N * glm::dot(N, L); }},
-    MistakeRow{.id = Mistake::RWithout2,
-               .name = "R-without-2",
-               .label = "R without 2",
-               .words = "R without its 2",
-               .is = "R is N (N.L) - L, which lies in the surface. The highlights fade or vanish.",
-               .R = "N (N.L) - L",
-               .reflected = [](const glm::dvec3& N, const glm::dvec3& L) { return N * glm::dot(N, L) - L; }},
-    MistakeRow{.id = Mistake::PowerOfSum,
-               .name = "n-on-the-sum",
-               .label = "n on the sum",
-               .words = "n on the sum",
-               .is = "The exponent is on the sum of both terms, so the diffuse light shrinks to a spot.",
-               .lightTerms = "f*Ip (kd*NL + ks*RV)^n",
-               .terms = powerOfSum},
-    MistakeRow{.id = Mistake::NoPower,
-               .name = "n-forgotten",
-               .label = "no exponent",
-               .words = "no exponent",
-               .is = "The exponent is forgotten, so the highlight spreads over half the surface.",
-               .lightTerms = "f*Ip [ kd*NL + ks*RV ]",
-               .terms =
-                   [](const TermNumbers& t) {
-                     return DiffuseSpecular{t.f * t.Ip * t.kd * t.facing, t.f * t.Ip * t.ks * t.cosine};
-                   }},
-    MistakeRow{.id = Mistake::KsInPower,
-               .name = "ks-in-the-power",
-               .label = "(ks R.V)^n",
-               .words = "ks in the power",
-               .is = "ks is inside the power, so a ks below 1 leaves no highlight.",
-               .lightTerms = "f*Ip [ kd*NL + (ks*RV)^n ]",
-               .terms =
-                   [](const TermNumbers& t) {
-                     return DiffuseSpecular{t.f * t.Ip * t.kd * t.facing,
-                                            t.f * t.Ip * boundedPower(t.ks * t.cosine, t.n)};
-                   }},
-    MistakeRow{.id = Mistake::HighlightTimesFacing,
-               .name = "spec-times-NL",
-               .label = "ks N.L (R.V)^n",
-               .words = "highlights times N.L",
-               .is = "The highlight is multiplied by N.L, so it is too dark where light comes from the side.",
-               .lightTerms = "f*Ip [ kd*NL + ks*NL*RV^n ]",
-               .terms =
-                   [](const TermNumbers& t) {
-                     return DiffuseSpecular{t.f * t.Ip * t.kd * t.facing,
-                                            t.f * t.Ip * t.ks * t.facing * boundedPower(t.cosine, t.n)};
-                   }},
-    MistakeRow{.id = Mistake::SwappedKs,
-               .name = "kd-ks-swapped",
-               .label = "kd, ks swapped",
-               .words = "kd and ks swapped",
-               .is = "kd and ks are in each other's place.",
-               .lightTerms = "f*Ip [ ks*NL + kd*RV^n ]",
-               .terms =
-                   [](const TermNumbers& t) {
-                     return DiffuseSpecular{t.f * t.Ip * t.ks * t.facing,
-                                            t.f * t.Ip * t.kd * boundedPower(t.cosine, t.n)};
-                   }},
-    MistakeRow{.id = Mistake::NoIp,
-               .name = "Ip-forgotten",
-               .label = "no Ip",
-               .words = "no Ip",
-               .is = "Ip is forgotten, so every light counts as 1, and the picture is clamped.",
-               .lightTerms = "f [ kd*NL + ks*RV^n ]",
-               .terms =
-                   [](const TermNumbers& t) {
-                     return DiffuseSpecular{t.f * t.kd * t.facing, t.f * t.ks * boundedPower(t.cosine, t.n)};
-                   }},
-    MistakeRow{
-        .id = Mistake::IpNotOnHighlight,
-        .name = "Ip-not-on-spec",
-        .label = "no Ip on ks",
-        .words = "no Ip on highlights",
-        .is = "Only the diffuse term has Ip, so highlights are too bright.",
-        .lightTerms = "f [ Ip*kd*NL + ks*RV^n ]",
-        .terms =
-            [](const TermNumbers& t) {
-              return DiffuseSpecular{t.f * t.Ip * t.kd * t.facing, t.f * t.ks * boundedPower(t.cosine, t.n)};
-            }},
-    MistakeRow{.id = Mistake::NoAmbient,
-               .name = "Ia-forgotten",
-               .label = "no ambient",
-               .words = "no ambient term",
-               .is = "The ambient term is left out, so what no light reaches is black.",
-               .ambientTerm = "",
-               .ambient = 0},
-    MistakeRow{.id = Mistake::TwiceAmbient,
-               .name = "Ia-twice",
-               .label = "ambient twice",
-               .words = "the ambient term twice",
-               .is = "The ambient term is added twice, so shadows are too bright.",
-               .ambientTerm = "2*ka*Ia",
-               .ambient = 2},
-    MistakeRow{.id = Mistake::NoDiffuse,
-               .name = "diffuse-forgotten",
-               .label = "no diffuse",
-               .words = "no diffuse term",
-               .is = "The diffuse term is left out: highlights on a surface of one shade.",
-               .lightTerms = "f*Ip*ks*RV^n",
-               .terms =
-                   [](const TermNumbers& t) {
-                     return DiffuseSpecular{0.0, t.f * t.Ip * t.ks * boundedPower(t.cosine, t.n)};
-                   }},
-    MistakeRow{.id = Mistake::NoSpecular,
-               .name = "spec-forgotten",
-               .label = "no specular",
-               .words = "no specular term",
-               .is = "The specular term is left out, so the surface is matt.",
-               .lightTerms = "f*Ip*kd*NL",
-               .terms =
-                   [](const TermNumbers& t) {
-                     return DiffuseSpecular{t.f * t.Ip * t.kd * t.facing, 0.0};
-                   }},
+    row({}, Mistake::None, "none", "the course's", "the course's equation", "The equation of the course."),
+    row({.facing = Clamp::Signed}, Mistake::FacingUnclamped, "NL-unclamped", "no max(0, N.L)",
+        "N.L not clamped", "N.L is not clamped, so a light behind a surface takes light away."),
+    row({.facing = Clamp::Absolute}, Mistake::FacingAbsolute, "NL-abs", "|N.L|", "N.L without its sign",
+        "N.L loses its sign, so a light behind a surface shines through it.", "f*Ip [ kd*|NL| + ks*RV^n ]"),
+    row({.facing = Clamp::ByAngle}, Mistake::FacingByAngle, "NL-angle", "1 - angle/90",
+        "the angle in place of N.L", "The angle between N and L takes the place of its cosine.",
+        "f*Ip [ kd*(1 - angle/90) + ks*RV^n ]"),
+    row({.reflected = Clamp::Signed}, Mistake::ReflectedUnclamped, "RV-unclamped", "no max(0, R.V)",
+        "R.V not clamped", "R.V is not clamped: an even n makes a second highlight opposite the first."),
+    row({.reflected = Clamp::Absolute}, Mistake::ReflectedAbsolute, "RV-abs", "|R.V|", "R.V without its sign",
+        "R.V loses its sign: a second highlight is opposite the first.", "f*Ip [ kd*NL + ks*|RV|^n ]"),
+    row({.highlightBehind = true}, Mistake::HighlightBehind, "highlight-behind", "highlight behind",
+        "highlights where N.L < 0",
+        "The highlight is not tied to N.L > 0, so surfaces that face away from the light shine."),
+    row({.longN = true, .reflected = Clamp::Positive}, Mistake::NotUnitN, "N-not-unit", "N not unit",
+        "N not of unit length",
+        "N is the cross product, or the sum of those around a vertex, not divided by its length."),
+    row({.N = -1}, Mistake::InwardN, "N-inward", "N inward", "N inward",
+        "N points into the solid, so the far side from the light is lit."),
+    row({.L = -1}, Mistake::ReversedL, "L-sign", "L away", "L from the light",
+        "L points away from the light, so the light comes from the opposite side."),
+    row({.V = -1}, Mistake::ReversedV, "V-sign", "V away", "V from the eye",
+        "V points away from the eye, so the highlights are on the side that is not seen."),
+    row({.NinR = -2, .LinR = 1}, Mistake::ReversedR, "R-sign", "R reversed", "R reversed",
+        "R is L - 2 N (N.L), the direction into the surface. The highlights vanish.", kNone.lightTerms,
+        "L - 2 N (N.L)"),
+    row({.NinR = 1}, Mistake::RWithout2, "R-without-2", "R without 2", "R without its 2",
+        "R is N (N.L) - L, which lies in the surface. The highlights fade or vanish.", kNone.lightTerms,
+        "N (N.L) - L"),
+    row({.power = PowerOf::Sum}, Mistake::PowerOfSum, "n-on-the-sum", "n on the sum", "n on the sum",
+        "The exponent is on the sum of both terms, so the diffuse light shrinks to a spot.",
+        "f*Ip (kd*NL + ks*RV)^n"),
+    row({.power = PowerOf::Nothing}, Mistake::NoPower, "n-forgotten", "no exponent", "no exponent",
+        "The exponent is forgotten, so the highlight spreads over half the surface.",
+        "f*Ip [ kd*NL + ks*RV ]"),
+    row({.power = PowerOf::KsToo}, Mistake::KsInPower, "ks-in-the-power", "(ks R.V)^n", "ks in the power",
+        "ks is inside the power, so a ks below 1 leaves no highlight.", "f*Ip [ kd*NL + (ks*RV)^n ]"),
+    row({.highlightTimesFacing = true}, Mistake::HighlightTimesFacing, "spec-times-NL", "ks N.L (R.V)^n",
+        "highlights times N.L",
+        "The highlight is multiplied by N.L, so it is too dark where light comes from the side.",
+        "f*Ip [ kd*NL + ks*NL*RV^n ]"),
+    row({.swapsKdKs = true}, Mistake::SwappedKs, "kd-ks-swapped", "kd, ks swapped", "kd and ks swapped",
+        "kd and ks are in each other's place.", "f*Ip [ ks*NL + kd*RV^n ]"),
+    row({.IpOnDiffuse = false, .IpOnHighlight = false}, Mistake::NoIp, "Ip-forgotten", "no Ip", "no Ip",
+        "Ip is forgotten, so every light counts as 1, and the picture is clamped.", "f [ kd*NL + ks*RV^n ]"),
+    row({.IpOnHighlight = false}, Mistake::IpNotOnHighlight, "Ip-not-on-spec", "no Ip on ks",
+        "no Ip on highlights", "Only the diffuse term has Ip, so highlights are too bright.",
+        "f [ Ip*kd*NL + ks*RV^n ]"),
+    row({.ambient = 0}, Mistake::NoAmbient, "Ia-forgotten", "no ambient", "no ambient term",
+        "The ambient term is left out, so what no light reaches is black.", kNone.lightTerms, kNone.R, ""),
+    row({.ambient = 2}, Mistake::TwiceAmbient, "Ia-twice", "ambient twice", "the ambient term twice",
+        "The ambient term is added twice, so shadows are too bright.", kNone.lightTerms, kNone.R, "2*ka*Ia"),
+    row({.diffuse = 0}, Mistake::NoDiffuse, "diffuse-forgotten", "no diffuse", "no diffuse term",
+        "The diffuse term is left out: highlights on a surface of one shade.", "f*Ip*ks*RV^n"),
+    row({.specular = 0}, Mistake::NoSpecular, "spec-forgotten", "no specular", "no specular term",
+        "The specular term is left out, so the surface is matt.", "f*Ip*kd*NL"),
 };
-
-LightTerms lightTerms(Mistake mistake, double f, double Ip, const Reflection& surface,
-                      const EquationVectors& at, Form form) {
-  const MistakeRow& row = rowOf(mistake);
-  LightTerms terms{.at = row.vectors ? row.vectors(at) : at};
-  const auto& [N, L, V] = terms.at;
-  terms.NdotL = glm::dot(N, L);
-  switch (form) {
-    case Form::Textbook:
-      terms.R = row.reflected ? row.reflected(N, L) : 2.0 * N * terms.NdotL - L;
-      break;
-    case Form::HalfVector:
-      terms.R = unit(L + V);
-      break;
-    case Form::Tutorial:
-      terms.R = L;
-      break;
-  }
-  terms.cosine =
-      row.reflected && form == Form::Textbook ? glm::dot(terms.R, V) : specularCosine(form, N, L, V);
-  const bool lit = terms.NdotL > 0.0;
-  terms.facing = row.facing ? row.facing(terms.NdotL) : std::max(0.0, terms.NdotL);
-  terms.counted = (row.clamped ? row.clamped : between0And1)(terms.cosine);
-  if (lit || row.highlightBehind) terms.power = boundedPower(terms.counted, surface.n);
-  if (mistake == Mistake::None) {
-    const IlluminationTerms course = termsOf(0.0, Ip, f, 1.0, surface, terms.NdotL, terms.cosine);
-    terms.diffuse = course.diffuse, terms.specular = course.specular;
-    return terms;
-  }
-  const TermNumbers numbers{f, Ip, surface.kd, surface.ks, surface.n, terms.facing, terms.counted};
-  const DiffuseSpecular both = (row.terms ? row.terms : courseTerms)(numbers);
-  terms.diffuse = both.diffuse;
-  if (lit || row.highlightBehind) terms.specular = both.specular;
-  return terms;
-}
 
 }  // namespace xnewell

@@ -26,7 +26,7 @@ inline bool litInPlace(Facts f) { return lit(f) && !mapped(f); }
 /// R stands only in the textbook's form.
 inline bool takesMistake(Facts f) {
   const Illumination& light = f.settings.light;
-  return litInPlace(f) && (rowOf(light.mistake).reflected == nullptr || light.form == Form::Textbook);
+  return litInPlace(f) && (!rowOf(light.mistake).changesR() || light.form == Form::Textbook);
 }
 inline bool textured(Facts f) { return litInPlace(f) && f.textures; }
 inline bool overDepth(Facts f) { return f.settings.shading == Shading::Phong || textured(f); }

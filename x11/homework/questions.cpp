@@ -186,7 +186,7 @@ Maybe highlightByHand(Dice& dice, const QuestionScene&) {
                " and V = " + inBrackets(v) + ". N.L = " + fixed(glm::dot(n, l), 4) +
                ", R = 2 N (N.L) - L = " + inBrackets(2.0 * n * glm::dot(n, l) - l) +
                ", and R.V = " + fixed(q.number, 3) + ".";
-  const auto ofVectors = [](const MistakeRow& row) { return row.vectors || row.reflected || row.longN; };
+  const auto ofVectors = [](const MistakeRow& row) { return row.changesVectors(); };
   const auto cosine = [&](const MistakeRow& row) {
     return lightTerms(row.id, 1, 1, {0, 0, 1, 1}, {row.longN ? N : n, l, v}, Form::Textbook).cosine;
   };
@@ -224,7 +224,7 @@ Maybe equationByHand(Dice& dice, const QuestionScene&) {
   // Vectors with these two cosines.
   const double sine = std::sqrt(1 - NL * NL), off = std::sqrt(1 - RV * RV);
   const EquationVectors at{{0, 0, 1}, {sine, 0, NL}, {-sine * RV - NL * off, 0, NL * RV - sine * off}};
-  const auto ofNumbers = [](const MistakeRow& row) { return !row.vectors && !row.reflected && !row.longN; };
+  const auto ofNumbers = [](const MistakeRow& row) { return !row.changesVectors(); };
   const auto I = [&](const MistakeRow& row) {
     const LightTerms light = lightTerms(row.id, 1, Ip, {ka, kd, ks, n}, at, Form::Textbook);
     return std::clamp(row.ambient * ka * Ia + light.diffuse + light.specular, 0.0, 1.0);

@@ -36,10 +36,7 @@ double intensityOf(const ExplainedEquation& at, int channel, const Illumination&
 
 /// The vector before a mistake changed its sign, so that a mistake is not made twice.
 glm::dvec3 rightOne(Mistake mistake, const glm::dvec3& v, glm::dvec3 EquationVectors::*which) {
-  const MistakeRow& row = rowOf(mistake);
-  if (!row.vectors) return v;
-  EquationVectors vectors{v, v, v};
-  return row.vectors(vectors).*which;  // each changes a sign, or nothing
+  return taken(rowOf(mistake), {v, v, v}).*which;  // each changes a sign, or nothing
 }
 
 }  // namespace

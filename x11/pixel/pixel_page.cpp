@@ -199,7 +199,7 @@ std::vector<std::string> numbersPutIn(const Explanation& e, const ExplainedEquat
       if (word == "RV") return asked(kRV, inBrackets(highlight ? light.counted : 0.0));
       if (word == "angle") return asked(kNL, fixed(90.0 * (1.0 - light.facing), 2));
       if (word != "NL") return ofSurface(word);
-      return asked(kNL, inBrackets(row.facing ? light.NdotL : light.facing)) +
+      return asked(kNL, inBrackets(row.facing != Clamp::Positive ? light.NdotL : light.facing)) +
              (showsTexel(e) ? " x " + number(e.texel->share[c]) : "");
     };
     std::string part = "+ " + (nothing ? asked(kNL, "0: a light is behind this side")

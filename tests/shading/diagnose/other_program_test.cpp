@@ -57,7 +57,7 @@ TEST(OtherProgram, HasThePicturesCells) {
         const Scene scene = readScene(name);
         PictureSettings s = settingsFor(scene, method);
         s.table.kind = table, s.colors = ColorPlan::OneHue;
-        const Compared c = compared(scene, s, approachOf(s), s);
+        const Compared c = compared(scene, s, {}, s);
         EXPECT_GT(c.samples, 500);
         EXPECT_LE(c.most, 1);
         EXPECT_LE(c.different, c.samples / 500 + 1);
@@ -78,9 +78,7 @@ TEST(OtherProgram, HasTheMistakesOfTheEquation) {
       PictureSettings s = settingsFor(scene, method), drawn = s;
       s.normals = drawn.normals = NormalRule::Sum;
       drawn.light.mistake = row.id;
-      Approach way = approachOf(s);
-      h->change(way);
-      const Compared c = compared(scene, s, way, drawn);
+      const Compared c = compared(scene, s, h->way, drawn);
       // The sum of long normals is another direction than the sum of unit ones, which xnewell lengthens.
       if (row.id == Mistake::NotUnitN && method != Shading::Flat) continue;
       EXPECT_LE(c.most, 1);
@@ -139,11 +137,8 @@ TEST(Hypotheses, ChangeTheWay) {
     for (const Shading method : kMethods) {
       PictureSettings s;
       s.shading = method;
-      Approach way = approachOf(s);
-      h.change(way);
-      way.view = h.view;
       const bool changes = h.meaning != Meaning::Right && (!h.applies || h.applies(s));
-      EXPECT_TRUE(!changes || way != approachOf(s)) << h.key;
+      EXPECT_TRUE(!changes || h.way.with(s) != Approach{}.with(s)) << h.key;
     }
 }
 

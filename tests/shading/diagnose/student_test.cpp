@@ -56,7 +56,7 @@ class Students {
     std::vector<std::string> all;
     std::set<std::string_view> seen;
     for (const Hypothesis& h : hypotheses()) {
-      if (h.view) continue;  // view_test.cpp
+      if (h.way.view) continue;  // view_test.cpp
       const bool lamps = h.key.starts_with("f-") || h.key == "L-place-as-direction";
       const bool here = world_.lamp ? h.key != "L-direction-as-place" && h.key != "f-1/d2" : !lamps;
       if (h.meaning == meaning && here && (!h.applies || h.applies(settings_)) &&
@@ -265,7 +265,7 @@ TEST(Diagnose, LooksAtOutlinesFirst) {
   std::ranges::fill(empty.picture.rgb, std::uint8_t{0});
   const Diagnosis black = diagnoser(empty);
   EXPECT_TRUE(black.isBlack);
-  EXPECT_TRUE(std::ranges::all_of(black.found, [](const Fit& f) { return f.first->view != nullptr; }));
+  EXPECT_TRUE(std::ranges::all_of(black.found, [](const Fit& f) { return f.first->way.view != nullptr; }));
 }
 
 // Other numbers are told as numbers: twice the n, y and z of the light swapped.
