@@ -31,6 +31,7 @@
 #include "x11/app/snapshot.h"
 #include "x11/app/viewer.h"
 #include "x11/command/commands.h"
+#include "x11/command/complete.h"
 #include "x11/command/read_lecture.h"
 #include "x11/command/report.h"
 #include "x11/command/trace.h"
@@ -255,6 +256,8 @@ constexpr std::array kRuns{
 };
 
 int run(int argc, char** argv) {
+  if (argc > 2 && std::string_view{argv[1]} == "complete" && std::string_view{argv[2]} == "--")
+    return std::fputs(proposalsFor({argv + 3, argv + argc}).c_str(), stdout), kDone;  // with its tabs
   std::optional<Options> said = parseOptions(argc, argv);
   if (!said) return kDone;
   Options& options = *said;
