@@ -209,4 +209,10 @@ void checkOutputs(std::span<const std::string> files) {
   for (const std::string& file : files) refuseUnwritable(file);
 }
 
+void makeFolder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw std::system_error{error, folder};
+}
+
 }  // namespace xnewell

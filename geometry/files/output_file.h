@@ -34,4 +34,7 @@ void writeFiles(std::span<const OutputFile> files);
 /// @throws as writeFiles() does
 void checkOutputs(std::span<const std::string> files);
 
+/// Makes a folder that does not exist, with those above it. @throws std::system_error
+void makeFolder(const std::string& folder);
+
 }  // namespace xnewell

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -49,9 +48,6 @@ void drawFigure(const Options& options, const Scene& scene);
 /// `questions`: prints questions about the scene with their solutions, and writes them for Moodle.
 /// @throws UsageError if the scene has not as many
 [[nodiscard]] int tellQuestions(const Options& options, const Scene& scene);
-
-/// Makes a folder that does not exist, with those above it. @throws std::system_error
-void makeFolder(const std::filesystem::path& folder);
 
 /// `trace --frames`: writes a numbered PNG for each step of the kind that --every names, and one of the whole
 /// picture at the end. Makes the folder if it does not exist.

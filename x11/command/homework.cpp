@@ -26,9 +26,9 @@
 #include "x11/homework/marks_formats.h"
 #include "x11/homework/questions.h"
 #include "x11/homework/reports.h"
-#include "x11/homework/rubric.h"
 #include "x11/lessons/lesson.h"
 #include "x11/options/exit_status.h"
+#include "x11/options/shell_words.h"
 #include "x11/terminal/terminal.h"
 
 namespace xnewell {
@@ -150,6 +150,9 @@ int tellSceneFor(const Options& options) {
 }
 
 int tellJudgement(const Options& options, Scene scene) {
+  if (isRunFile(options.handedIn))
+    throw UsageError{options.handedIn + ": a run of a depth sort, and no order: say --run " +
+                     quoted(options.handedIn)};
   const auto [steps, size] = readPaintOrder(options.handedIn, scene.mesh.faceCount());
   std::optional<Doing> judging{"judging"};
   const Picture picture = pictureFor(options, std::move(scene), options.handedIn, size);
@@ -241,30 +244,56 @@ std::vector<std::pair<std::string, std::string>> feedbackOf(const Options& optio
   return pages;
 }
 
+/// Refuses a format whose environment is another.
+void checkVariables(const MarksFormatRow& format) {
+  std::string missing;
+  for (const char* const variable : format.variables)
+    if (const char* const value = std::getenv(variable); value == nullptr || *value == '\0')
+      missing += (missing.empty() ? "" : ", ") + std::string{variable};
+  if (!missing.empty())
+    throw UsageError{"--format " + std::string{format.name} +
+                     " needs variables of the environment, which the "
+                     "runner of that system sets: " +
+                     missing};
+}
+
+/// What is handed in for the stages. What is for none has no name.
+HandIns handInsFor(const Options& options, const std::vector<Stage>& rubric) {
+  const MarksFormatRow& format = rowOf(options.format);
+  HandIns handed = handInsOf(options.handedIn);
+  std::map<std::string, std::string> owners;  // by stage, or by name
+  for (HandIn& one : handed.files) {
+    const auto stage = std::ranges::find_if(rubric, [&](const Stage& s) { return isOf(s, one.name); });
+    if (!one.name.empty() && stage == rubric.end())
+      handed.passed["unasked file"].push_back(one.path), one.name.clear();
+    if (one.name.empty()) continue;
+    rememberInput((std::filesystem::path{options.handedIn} / one.path).string());
+    const auto owner = owners.try_emplace(stage->name.empty() ? one.name : stage->name, one.student).first;
+    if (format.ofOne && !owner->second.empty() && !one.student.empty() && owner->second != one.student)
+      throw UsageError{"--format " + std::string{format.name} + " is for one student, and " +
+                       options.handedIn + " has the hand-ins of several, such as " + inQuotes(owner->second) +
+                       " and " + inQuotes(one.student)};
+  }
+  if (format.ofOne) {
+    std::erase_if(handed.files, [](const HandIn& one) { return one.name.empty(); });
+    for (HandIn& one : handed.files) one.student.clear(), one.place.clear();
+  }
+  if (handed.files.empty() && options.rubric.empty())
+    throw UsageError{"grade: no picture, order (.jsonl) or answers (.json) is in " + options.handedIn};
+  if (handed.files.empty()) handed.files.push_back({});
+  return handed;
+}
+
 }  // namespace
 
 int gradeFolder(const Options& options, Scene scene) {
   refuseWhatIsNotDiagnosed(scene, options.picture);
   const MarksFormatRow& format = rowOf(options.format);
-  for (const char* const variable : format.variables)
-    if (const char* const value = std::getenv(variable); value == nullptr || *value == '\0')
-      throw UsageError{"--format " + std::string{format.name} + " needs the environment variable " +
-                       variable + ", which the runner of that system sets"};
+  checkVariables(format);
   std::vector<Stage> rubric{{}};  // without a rubric, one stage that every file is of
   if (!options.rubric.empty()) rubric = readRubric(options.rubric);
-  HandIns handed = handInsOf(options.handedIn);
-  for (HandIn& one : handed.files) {
-    if (!one.name.empty() && std::ranges::none_of(rubric, [&](const Stage& s) { return isOf(s, one.name); }))
-      one.name.clear(), ++handed.passed["unasked file"];
-    if (format.ofOne) one.student.clear(), one.place.clear();
-    if (!one.name.empty()) rememberInput((std::filesystem::path{options.handedIn} / one.path).string());
-  }
-  if (format.ofOne) std::erase_if(handed.files, [](const HandIn& one) { return one.name.empty(); });
-  if (handed.files.empty() && options.rubric.empty())
-    throw UsageError{"grade: no picture, order (.jsonl) or answers (.json) is in " + options.handedIn};
-  if (handed.files.empty()) handed.files.push_back({});
+  const HandIns handed = handInsFor(options, rubric);
   checkOutputs(outputsOf(options));
-  if (!options.feedback.empty()) makeFolder(options.feedback);
   awaitInterrupt();
   ClassMarks marks{"Marks: " + titleOf(scene), {}, {}};
   Markers markers{options, std::move(scene),
@@ -274,37 +303,36 @@ int gradeFolder(const Options& options, Scene scene) {
     if (!stage.name.empty()) marks.stages.push_back(stage.name);
   }
   std::optional<Doing> marking;
-  std::size_t done = 0;
-  for (std::size_t from = 0, to = 0; from < handed.files.size(); from = to) {
-    const HandIn& first = handed.files[from];
-    to = from + 1;
-    while (to < handed.files.size() && handed.files[to].student == first.student) ++to;
+  int done = 0;
+  const auto sameStudent = [](const HandIn& a, const HandIn& b) { return a.student == b.student; };
+  for (auto from = handed.files.begin(), to = from; from != handed.files.end(); from = to) {
+    to = std::find_if_not(from, handed.files.end(),
+                          [&](const HandIn& one) { return sameStudent(one, *from); });
     for (const Stage& stage : rubric) {
-      MarkedFile row{.file = stage.name.empty() ? first.path : "",
-                     .verdict = "missing",
-                     .words = "nothing is handed in"};
-      const auto add = [&](const HandIn& one) {
+      MarkedFile best{.file = stage.name.empty() ? from->path : "",
+                      .verdict = "missing",
+                      .words = "nothing is handed in"};
+      const auto add = [&](MarkedFile row, const HandIn& one) {
         row.student = one.student, row.stage = stage.name, row.place = one.place;
         row.most = stage.points, row.points = pointsFor(row, row.most);
         marks.rows.push_back(std::move(row));
       };
-      bool isFirst = true;
       int ofStage = 0;
-      for (const HandIn& one : std::span{handed.files}.subspan(from, to - from)) {
+      for (const HandIn& one : std::span{from, to}) {
         if (one.name.empty() || !isOf(stage, one.name)) continue;
         marking.emplace("marking file " + std::to_string(++done) + " of " +
                         std::to_string(handed.files.size()));
         MarkedFile marked = markers.of(stage).mark(options.handedIn, one.path);
         if (wasInterrupted()) return kInterrupted;
-        // Of several files for a stage, the best counts.
-        if (isFirst || stage.name.empty() || pointsFor(marked, 1) > pointsFor(row, 1))
-          row = std::move(marked);
-        if (stage.name.empty()) add(one);
-        isFirst = false, ++ofStage;
+        if (stage.name.empty())
+          add(std::move(marked), one);
+        else if (ofStage == 0 || pointsFor(marked, 1) > pointsFor(best, 1))
+          best = std::move(marked);
+        ++ofStage;
       }
-      if (!stage.name.empty() && ofStage > 1)
-        row.words += " (the best of " + std::to_string(ofStage) + " files for this stage)";
-      if (isFirst || !stage.name.empty()) add(first);
+      if (ofStage > 0 && stage.name.empty()) continue;
+      if (ofStage > 1) best.words += " (the best of " + std::to_string(ofStage) + " files for this stage)";
+      add(std::move(best), *from);
     }
   }
   marking.reset();
@@ -312,7 +340,7 @@ int gradeFolder(const Options& options, Scene scene) {
   if (!options.page.empty()) written.emplace_back(options.page, rowOf(MarksFormat::Html).text(marks));
   if (!options.feedback.empty())
     for (auto& page : feedbackOf(options, marks)) {
-      makeFolder(std::filesystem::path{page.first}.parent_path());
+      makeFolder(std::filesystem::path{page.first}.parent_path().string());
       written.push_back(std::move(page));
     }
   std::vector<OutputFile> files;

@@ -20,12 +20,6 @@
 
 namespace xnewell {
 
-void makeFolder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw std::system_error{error, folder.string()};
-}
-
 namespace {
 
 /// ---- The folder of --frames: numbered PNG files in a folder of their own

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <filesystem>
 #include <set>
 #include <system_error>
 
+#include "geometry/files/text_file.h"
+#include "geometry/files/visible.h"
 #include "x11/drawing/wording.h"
 
 namespace xnewell {
@@ -14,12 +17,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kMostRubricBytes = 1 << 16;
+constexpr int kMostPoints = 1000;
+
+char lower(char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+bool isSame(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, [](char x, char y) { return lower(x) == lower(y); });
+}
+
 /// True if a file is handed in by its name: a picture of any kind, also of those that cannot be read, an
 /// order, or answers; also a folder or a link to nothing of such a name. A text that explains the folder is
 /// not.
 bool isHandedIn(std::string name) {
-  for (char& c : name)
-    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  std::ranges::transform(name, name.begin(), lower);
   constexpr std::array<std::string_view, 14> kEnds{".jsonl", ".json", ".png",  ".ppm",  ".pgm",
                                                    ".pnm",   ".xwd",  ".jpg",  ".jpeg", ".gif",
                                                    ".bmp",   ".tif",  ".tiff", ".webp"};
@@ -92,11 +102,12 @@ class Finder {
   void add(const fs::directory_entry& entry, HandIn one, const std::string& name) {
     std::error_code error;
     if (isHidden(name) || isHidden(entry.path().filename().string()))
-      ++all_.passed["hidden file"];
+      all_.passed["hidden file"].push_back(one.path);
     else if (one.name = name; isHandedIn(name))
       all_.files.push_back(std::move(one));
     else
-      ++all_.passed[entry.is_symlink(error) && entry.is_directory(error) ? "linked folder" : "other file"];
+      all_.passed[entry.is_symlink(error) && entry.is_directory(error) ? "linked folder" : "other file"]
+          .push_back(one.path);
   }
   void walk(const HandIn& in) {
     std::error_code error;
@@ -109,7 +120,7 @@ class Finder {
       else
         add(entry, std::move(one), name);
     }
-    if (error) ++all_.passed["unreadable folder"];
+    if (error) all_.passed["unreadable folder"].push_back(in.path);
   }
   /// Two students of one name have their numbers behind it.
   void tellApart() {
@@ -130,10 +141,41 @@ class Finder {
 HandIns handInsOf(const std::string& folder) { return Finder{folder}.found(); }
 
 std::string sentenceOf(const PassedOver& passed) {
+  constexpr std::size_t kMostNamed = 4;
   std::string all;
-  for (const auto& [what, count] : passed)
-    all += (all.empty() ? "passed over: " : ", ") + counted(count, what);
+  for (const auto& [what, files] : passed) {
+    all += (all.empty() ? "passed over: " : ", ") + counted(std::ssize(files), what) + " (";
+    for (std::size_t k = 0; k < std::min(files.size(), kMostNamed); ++k)
+      all += (k > 0 ? ", " : "") + visible(files[k]);
+    all += files.size() > kMostNamed ? ", ...)" : ")";
+  }
   return all;
+}
+
+std::vector<Stage> readRubric(const std::string& file) {
+  const std::string text = readTextFile(file, kMostRubricBytes);
+  Words words{text, file};
+  std::vector<Stage> stages;
+  for (std::string_view name; !(name = words.firstOfNextLine()).empty();) {
+    Stage stage{.name = std::string{name}, .line = words.line()};
+    if (name.find_first_of("./\\") != name.npos)
+      words.fail(inQuotes(name) + ": a stage is the name of its file without the ending, such as flat");
+    const std::string_view points = words.next();
+    if (points.empty()) words.fail("a stage and its points are needed, such as `flat 3`");
+    const auto [end, error] = std::from_chars(points.begin(), points.end(), stage.points);
+    if (error != std::errc{} || end != points.end() || stage.points < 1 || stage.points > kMostPoints)
+      words.fail(inQuotes(points) + ": points are a whole number from 1 to " + std::to_string(kMostPoints));
+    for (std::string_view word; !(word = words.next()).empty();) stage.words.emplace_back(word);
+    if (std::ranges::any_of(stages, [&](const Stage& other) { return isSame(other.name, name); }))
+      words.fail("stage " + inQuotes(name) + " comes twice");
+    stages.push_back(std::move(stage));
+  }
+  if (stages.empty()) words.fail("no line names a stage");
+  return stages;
+}
+
+bool isOf(const Stage& stage, std::string_view file) {
+  return stage.name.empty() || isSame(stage.name, file.substr(0, file.rfind('.')));
 }
 
 }  // namespace xnewell

@@ -17,8 +17,8 @@ struct HandIn {
   std::string place = {};    ///< in a folder of answers, how the names of those to the student begin
 };
 
-/// How many files are passed over, by what they are: "hidden file".
-using PassedOver = std::map<std::string_view, int>;
+/// The files that are passed over, by what they are: "hidden file".
+using PassedOver = std::map<std::string_view, std::vector<std::string>>;
 
 struct HandIns {
   std::vector<HandIn> files;  ///< sorted by student, then by path
@@ -31,5 +31,27 @@ struct HandIns {
 
 /// "passed over: 2 hidden files, 1 linked folder"; "" if there is nothing.
 [[nodiscard]] std::string sentenceOf(const PassedOver& passed);
+
+/// What is to be handed in, and what it earns: a text file with a line a stage.
+///
+///     # stage  points  what is right, if it is not what the command line says
+///     flat     3
+///     phong    2       bench-n3 --shade phong --normals sum
+///     order    4       cycle
+///
+/// `flat` is handed in as flat.png, flat.ppm, Flat.jsonl ...: a file of that name, whatever its end.
+
+struct Stage {
+  std::string name;
+  int points = 1;
+  std::vector<std::string> words = {};  ///< a scene and options, or options alone; empty: the command line's
+  int line = 1;
+};
+
+/// @throws ParseError, std::system_error
+[[nodiscard]] std::vector<Stage> readRubric(const std::string& file);
+
+/// Whether a file of this name is handed in for a stage; any is for one without a name.
+[[nodiscard]] bool isOf(const Stage& stage, std::string_view file);
 
 }  // namespace xnewell

@@ -10,6 +10,7 @@
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vector_relational.hpp>
+#include <random>
 #include <set>
 
 #include "depthsort/depth_sort.h"
@@ -36,6 +37,18 @@ namespace {
 /// Questions that can be answered with a sheet of paper.
 
 using Maybe = std::optional<ExamQuestion>;
+using Dice = std::mt19937;
+struct QuestionKind {
+  std::string_view name;
+  Maybe (*make)(Dice&, const QuestionScene&);  ///< nothing where the scene has none
+};
+
+/// A whole number in [low, high], and a number in steps of 1/per. (The distributions of the standard library
+/// may differ from machine to machine.)
+int rolled(Dice& dice, int low, int high) {
+  return low + static_cast<int>(dice() % static_cast<unsigned>(high - low + 1));
+}
+double rolled(Dice& dice, int low, int high, double per) { return rolled(dice, low, high) / per; }
 
 /// A number as few decimals as it has, at most four.
 std::string plain(double v) {
@@ -57,14 +70,10 @@ glm::dvec3 rolledVector(Dice& dice) {
   return v;
 }
 
-void give(ExamQuestion& q, const std::string& name, const glm::dvec3& v) {
-  q.given[name + "x"] = v.x, q.given[name + "y"] = v.y, q.given[name + "z"] = v.z;
-}
-
 Maybe cellOfLinear(Dice& dice, const QuestionScene&) {
   const double I = rolled(dice, 1, 999, 1000);
   const ColorTable table{TableSettings{}};
-  ExamQuestion q{.kind = "cell-linear", .given = {{"I", I}}};
+  ExamQuestion q;
   q.text =
       "The linear table has 240 shades in cells 11 to 250, and color(I) = round(11 + 239 I). Which cell does "
       "I = " +
@@ -78,7 +87,7 @@ Maybe cellOfLinear(Dice& dice, const QuestionScene&) {
 Maybe cellOfCorrected(Dice& dice, const QuestionScene&) {
   const double I = rolled(dice, 30, 990, 1000);
   const ColorTable table{TableSettings{.kind = TableKind::Corrected}};
-  ExamQuestion q{.kind = "cell-corrected", .tolerance = 0, .given = {{"I", I}, {"I0", 0.02}}};
+  ExamQuestion q;
   q.text =
       "The corrected table has 240 shades from cell 11 on. Shade j holds I0 r^j with I0 = 0.02, and shade "
       "239 "
@@ -94,7 +103,7 @@ Maybe cellOfCorrected(Dice& dice, const QuestionScene&) {
 Maybe ratioOfTable(Dice& dice, const QuestionScene&) {
   const double I0 = rolled(dice, 1, 10, 100);
   const int N = 8 * rolled(dice, 2, 30);
-  ExamQuestion q{.kind = "table-ratio", .tolerance = 0.0005, .given = {{"I0", I0}, {"N", double(N)}}};
+  ExamQuestion q{.tolerance = 0.0005};
   q.text = "A corrected table has " + std::to_string(N) +
            " shades. Shade j holds I0 r^j with I0 = " + plain(I0) +
            ", and the last shade holds 1. What is r, to four decimals?";
@@ -107,7 +116,7 @@ Maybe ratioOfTable(Dice& dice, const QuestionScene&) {
 Maybe storedValue(Dice& dice, const QuestionScene&) {
   const int cell = rolled(dice, 11, 250);
   const ColorTable table{TableSettings{}};
-  ExamQuestion q{.kind = "stored-value", .given = {{"cell", double(cell)}}};
+  ExamQuestion q;
   q.text =
       "In the linear table, cell i holds (i - 10)/255 of the hue. XStoreColors takes values from 0 to 65535. "
       "Which red value is stored in cell " +
@@ -124,8 +133,7 @@ std::string lengthOf(const glm::dvec3& v) {
 
 Maybe cosineByHand(Dice& dice, const QuestionScene&) {
   const glm::dvec3 N = rolledVector(dice), L = rolledVector(dice);
-  ExamQuestion q{.kind = "N.L", .tolerance = 0.002, .given = {}};
-  give(q, "N", N), give(q, "L", L);
+  ExamQuestion q{.tolerance = 0.002};
   q.number = glm::dot(glm::normalize(N), glm::normalize(L));
   q.text = "A surface has the normal " + inBrackets(N) + ", and the direction to the light is " +
            inBrackets(L) +
@@ -175,8 +183,7 @@ Maybe highlightByHand(Dice& dice, const QuestionScene&) {
   if (glm::dot(N, L) < 0) L = -L;
   if (glm::dot(N, V) < 0) V = -V;
   if (glm::dot(N, L) == 0) return std::nullopt;
-  ExamQuestion q{.kind = "R.V", .tolerance = 0.002, .given = {}};
-  give(q, "N", N), give(q, "L", L), give(q, "V", V);
+  ExamQuestion q{.tolerance = 0.002};
   const glm::dvec3 n = glm::normalize(N), l = glm::normalize(L), v = glm::normalize(V);
   q.number = specularCosine(Form::Textbook, n, l, v);
   q.text = "The normal is " + inBrackets(N) + ", the light is in direction " + inBrackets(L) +
@@ -199,16 +206,7 @@ Maybe equationByHand(Dice& dice, const QuestionScene&) {
                RV = rolled(dice, 70, 100, 100);
   const int n = rolled(dice, 2, 12);
   const IlluminationTerms terms = termsOf(Ia, Ip, 1, 1, {ka, kd, ks, n}, NL, RV);
-  ExamQuestion q{.kind = "equation",
-                 .tolerance = 0.002,
-                 .given = {{"Ia", Ia},
-                           {"Ip", Ip},
-                           {"ka", ka},
-                           {"kd", kd},
-                           {"ks", ks},
-                           {"NL", NL},
-                           {"RV", RV},
-                           {"n", double(n)}}};
+  ExamQuestion q{.tolerance = 0.002};
   q.number = std::min(1.0, terms.I);
   q.text = "Ia = " + plain(Ia) + ", Ip = " + plain(Ip) + ", ka = " + plain(ka) + ", kd = " + plain(kd) +
            ", ks = " + plain(ks) + ", n = " + std::to_string(n) + "; N.L = " + plain(NL) +
@@ -235,8 +233,7 @@ Maybe equationByHand(Dice& dice, const QuestionScene&) {
 Maybe fadeByHand(Dice& dice, const QuestionScene&) {
   const double d = rolled(dice, 11, 40, 10);
   const bool square = rolled(dice, 0, 1) == 1;
-  ExamQuestion q{
-      .kind = "attenuation", .tolerance = 0.002, .given = {{"d", d}, {"power", square ? 2.0 : 1.0}}};
+  ExamQuestion q{.tolerance = 0.002};
   Light light;
   light.kind = LightKind::Point,
   light.attenuation = square ? Attenuation::InverseSquare : Attenuation::Inverse;
@@ -252,10 +249,7 @@ Maybe gouraudOnARow(Dice& dice, const QuestionScene&) {
   const int left = rolled(dice, 10, 100), right = left + rolled(dice, 10, 60),
             x = rolled(dice, left + 1, right - 1);
   const double A = rolled(dice, 5, 95, 100), B = rolled(dice, 5, 95, 100);
-  ExamQuestion q{
-      .kind = "gouraud-row",
-      .tolerance = 0.002,
-      .given = {{"left", double(left)}, {"right", double(right)}, {"x", double(x)}, {"A", A}, {"B", B}}};
+  ExamQuestion q{.tolerance = 0.002};
   q.number = A + (B - A) * (x - left) / (right - left);
   q.text = "On a row of a Gouraud shaded polygon the intensity is " + plain(A) +
            " at x = " + std::to_string(left) + " and " + plain(B) + " at x = " + std::to_string(right) +
@@ -270,8 +264,7 @@ Maybe normalByHand(Dice& dice, const QuestionScene&) {
   const glm::dvec3 N = glm::cross(p[1] - p[0], p[2] - p[0]);
   if (N == glm::dvec3{0.0}) return std::nullopt;
   const int axis = rolled(dice, 0, 2);
-  ExamQuestion q{.kind = "normal", .tolerance = 0.002, .given = {{"axis", double(axis)}}};
-  for (int k = 0; k < 3; ++k) give(q, std::string{"p"} + char('0' + k), p[k]);
+  ExamQuestion q{.tolerance = 0.002};
   q.number = glm::normalize(N)[axis];
   q.text = "A triangle has the corners " + inBrackets(p[0]) + ", " + inBrackets(p[1]) + " and " +
            inBrackets(p[2]) + ", counter-clockwise as seen from its front. What is the " +
@@ -286,8 +279,7 @@ Maybe vertexNormal(Dice& dice, const QuestionScene&) {
   const glm::dvec3 a = rolledVector(dice), b = rolledVector(dice);
   const glm::dvec3 sum = glm::normalize(a) + glm::normalize(b);
   if (glm::length(sum) < 0.1) return std::nullopt;
-  ExamQuestion q{.kind = "vertex-normal", .tolerance = 0.002, .given = {}};
-  give(q, "a", a), give(q, "b", b);
+  ExamQuestion q{.tolerance = 0.002};
   q.number = glm::normalize(sum).z;
   q.text = "Two faces meet at a vertex. Their normals are " + inBrackets(a) + " and " + inBrackets(b) +
            ", not of unit length. Each face counts once. What is the z component of the unit normal at the "
@@ -297,15 +289,6 @@ Maybe vertexNormal(Dice& dice, const QuestionScene&) {
                inBrackets(glm::normalize(b)) + "; their sum is " + inBrackets(sum) + ", of length " +
                fixed(glm::length(sum), 4) + ". Its z divided by that is " + fixed(q.number, 3) + ".";
   return q;
-}
-
-std::vector<QuestionKind> numberQuestions() {
-  return {{"cell-linear", cellOfLinear},  {"N.L", cosineByHand},
-          {"table-ratio", ratioOfTable},  {"R.V", highlightByHand},
-          {"equation", equationByHand},   {"stored-value", storedValue},
-          {"attenuation", fadeByHand},    {"gouraud-row", gouraudOnARow},
-          {"normal", normalByHand},       {"cell-corrected", cellOfCorrected},
-          {"vertex-normal", vertexNormal}};
 }
 
 /// ---- Questions about the scene
@@ -441,8 +424,7 @@ std::optional<Spot> rolledSpot(Dice& dice, const QuestionScene& s, std::size_t l
 Maybe nearestZ(Dice& dice, const QuestionScene& s) {
   const auto spot = rolledSpot(dice, s, 2);
   if (!spot) return std::nullopt;
-  ExamQuestion q{
-      .kind = "nearest-z", .tolerance = 0.5, .given = {{"i", double(spot->i)}, {"j", double(spot->j)}}};
+  ExamQuestion q{.tolerance = 0.5};
   std::vector<double> z;
   for (const Polygon& one : spot->covering) {
     z.push_back(one.z(spot->at()));
@@ -471,7 +453,7 @@ Maybe wrongSort(Dice& dice, const QuestionScene& s) {
   const auto spot = spotAt(s, static_cast<int>(at % static_cast<std::size_t>(settings.width)),
                            static_cast<int>(at / static_cast<std::size_t>(settings.width)), 2);
   if (!spot) return std::nullopt;
-  ExamQuestion q{.kind = "wrong-sort", .given = {{"i", double(spot->i)}, {"j", double(spot->j)}}};
+  ExamQuestion q;
   q.number = numberOf(s, s.byMeanZ[at]);
   q.text = "These polygons of " + s.name +
            " are sorted by the mean z of their corners and painted, farthest first, in a "
@@ -507,7 +489,7 @@ Maybe placeOfCut(Dice& dice, const QuestionScene& s) {
   if (a * b >= 0 || std::abs(a) < 5 || std::abs(b) < 5) return std::nullopt;
   const glm::dvec3 cut = A + (B - A) * (a / (a - b));
   const std::string axis = alongX ? "x" : "y";
-  ExamQuestion q{.kind = "cut-place", .tolerance = 0.5, .given = {}};
+  ExamQuestion q{.tolerance = 0.5};
   q.number = alongX ? cut.x : cut.y;
   q.text = "In a picture of " + sizeOf(s) + ", the depth sort cuts P = " + P.name + " of " + s.name +
            " by the plane of Q = " + Q.name + ". At which " + axis +
@@ -541,7 +523,7 @@ Maybe settlingTest(Dice& dice, const QuestionScene& s) {
   if (compared.empty()) return std::nullopt;
   const Event& e =
       *compared[static_cast<std::size_t>(rolled(dice, 0, static_cast<int>(compared.size()) - 1))];
-  ExamQuestion q{.kind = "settling-test", .given = {{"P", double(e.P)}, {"Q", double(e.Q)}}};
+  ExamQuestion q;
   const Polygon P{s, e.P}, Q{s, e.Q};
   constexpr double kLeast = 100;  // twice the square pixels: in smaller ones two decimals are too few
   if (std::min(std::abs(P.area()), std::abs(Q.area())) < kLeast) return std::nullopt;
@@ -576,7 +558,7 @@ Maybe facesAtAPixel(Dice& dice, const QuestionScene& s) {
   }
   if (outside.empty()) return std::nullopt;
   std::ranges::sort(spot->covering, {}, &Polygon::face);
-  ExamQuestion q{.kind = "faces-at-pixel", .given = {{"i", double(spot->i)}, {"j", double(spot->j)}}};
+  ExamQuestion q;
   q.number = covering;
   q.text = "How many of these polygons of " + s.name + " cover a place in a picture of " + sizeOf(s) + ", " +
            spot->text() + ", hidden ones included?";
@@ -591,7 +573,7 @@ Maybe backFaces(Dice& dice, const QuestionScene& s) {
   for (int f = 0; f < std::ssize(s.picture.snapped().faces); ++f) all.push_back(f);
   while (all.size() > kMostPolygons)
     all.erase(all.begin() + rolled(dice, 0, static_cast<int>(all.size()) - 1));
-  ExamQuestion q{.kind = "back-faces", .given = {}};
+  ExamQuestion q;
   std::vector<Polygon> polygons;
   for (const int f : all) {
     const Polygon& one = polygons.emplace_back(s, f);
@@ -607,10 +589,17 @@ Maybe backFaces(Dice& dice, const QuestionScene& s) {
   return q;
 }
 
-std::vector<QuestionKind> sceneQuestions() {
-  return {{"settling-test", settlingTest}, {"wrong-sort", wrongSort},         {"cut-place", placeOfCut},
-          {"nearest-z", nearestZ},         {"faces-at-pixel", facesAtAPixel}, {"back-faces", backFaces}};
-}
+/// Those of numbers and those of the scene in turn.
+constexpr std::array kQuestionKinds{
+    QuestionKind{"cell-linear", cellOfLinear},  QuestionKind{"settling-test", settlingTest},
+    QuestionKind{"N.L", cosineByHand},          QuestionKind{"wrong-sort", wrongSort},
+    QuestionKind{"table-ratio", ratioOfTable},  QuestionKind{"cut-place", placeOfCut},
+    QuestionKind{"R.V", highlightByHand},       QuestionKind{"nearest-z", nearestZ},
+    QuestionKind{"equation", equationByHand},   QuestionKind{"faces-at-pixel", facesAtAPixel},
+    QuestionKind{"stored-value", storedValue},  QuestionKind{"back-faces", backFaces},
+    QuestionKind{"attenuation", fadeByHand},    QuestionKind{"gouraud-row", gouraudOnARow},
+    QuestionKind{"normal", normalByHand},       QuestionKind{"cell-corrected", cellOfCorrected},
+    QuestionKind{"vertex-normal", vertexNormal}};
 
 /// The characters that mean something in a GIFT file.
 std::string inGift(const std::string& text) {
@@ -649,36 +638,16 @@ QuestionScene::QuestionScene(const Scene& scene, const PictureSettings& settings
   png = encodePng(right.image(), right.palette(plan));
 }
 
-int rolled(Dice& dice, int low, int high) {
-  return low + static_cast<int>(dice() % static_cast<unsigned>(high - low + 1));
-}
-
-double rolled(Dice& dice, int low, int high, double per) { return rolled(dice, low, high) / per; }
-
-const std::vector<QuestionKind>& questionKinds() {
-  static const std::vector<QuestionKind> all = [] {
-    // Those of the scene and those of numbers in turn.
-    const std::vector<QuestionKind> numbers = numberQuestions(), scenes = sceneQuestions();
-    std::vector<QuestionKind> kinds;
-    for (std::size_t k = 0; k < std::max(numbers.size(), scenes.size()); ++k) {
-      if (k < numbers.size()) kinds.push_back(numbers[k]);
-      if (k < scenes.size()) kinds.push_back(scenes[k]);
-    }
-    return kinds;
-  }();
-  return all;
-}
-
 std::vector<ExamQuestion> makeQuestions(const QuestionScene& scene, int count, unsigned seed) {
   Dice dice{seed};
   std::vector<ExamQuestion> questions;
   std::set<std::string> texts;
-  const std::vector<QuestionKind>& kinds = questionKinds();
   // A kind that the scene has no question of, or no new one, is left out.
   for (std::size_t k = 0, tries = 0;
        static_cast<int>(questions.size()) < count && tries < 50u * static_cast<unsigned>(count) + 500u;
-       k = (k + 1) % kinds.size(), ++tries)
-    if (auto one = kinds[k].make(dice, scene); one && !isGuessed(*one)) {
+       k = (k + 1) % kQuestionKinds.size(), ++tries)
+    if (auto one = kQuestionKinds[k].make(dice, scene); one && !isGuessed(*one)) {
+      one->kind = kQuestionKinds[k].name;
       std::string all = one->text;
       for (const std::string& line : one->lines) all += '\n' + line;
       if (texts.insert(all).second) questions.push_back(std::move(*one));

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <map>
-#include <optional>
-#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,15 +12,14 @@ namespace xnewell {
 /// Questions for an exam, with numbers of their own and answers that are computed.
 
 struct ExamQuestion {
-  std::string kind;
+  std::string kind = {};
   std::string text = {};                ///< one paragraph
   std::vector<std::string> lines = {};  ///< below it: the corners of polygons. Then the picture belongs to it
   /// A number and how far an answer may be off; or choices and the index of the right one; or both.
   double number = 0, tolerance = 0;
   std::vector<std::string> choices = {};
   std::size_t right = 0;
-  std::string solution = {};                 ///< one paragraph: how the answer is found
-  std::map<std::string, double> given = {};  ///< the numbers of the text, for a second computation
+  std::string solution = {};  ///< one paragraph: how the answer is found
 };
 
 /// What questions about a scene ask for.
@@ -36,14 +32,6 @@ struct QuestionScene {
   std::string png;  ///< the bytes of the right picture
 };
 
-using Dice = std::mt19937;
-struct QuestionKind {
-  std::string_view name;
-  std::optional<ExamQuestion> (*make)(Dice&, const QuestionScene&);  ///< nothing where the scene has none
-};
-/// The kinds that ask about numbers alone, and those that ask about the scene.
-[[nodiscard]] const std::vector<QuestionKind>& questionKinds();
-
 /// `count` questions, the kinds in turn. The same seed gives the same questions on every machine.
 [[nodiscard]] std::vector<ExamQuestion> makeQuestions(const QuestionScene& scene, int count, unsigned seed);
 
@@ -53,10 +41,5 @@ struct QuestionTexts {
   std::string asked, solved;
 };
 [[nodiscard]] QuestionTexts questionsAsText(const std::vector<ExamQuestion>& questions);
-
-/// A whole number in [low, high], and a number in steps of 1/per. (The distributions of the standard library
-/// may differ from machine to machine.)
-[[nodiscard]] int rolled(Dice& dice, int low, int high);
-[[nodiscard]] double rolled(Dice& dice, int low, int high, double per);
 
 }  // namespace xnewell

@@ -285,55 +285,139 @@ bool TradeView::isStale(const DrawContext& context) const {
 
 bool TradeView::late(const Setup&) const { return changed_ || list_.late(); }
 
-void TradeView::paintChosen(const DrawContext& context) {
-  if (chosen_ < 0) {
-    painted_.reset();
-    return;
-  }
-  const Configuration& chosen = known_.trade.combinations[chosen_].configuration;
+/// ---- What is drawn
+
+TradeLayout layoutOfTrade(const Rect& body) {
+  constexpr int kRows = 3 * 22;
+  const Rect column{body.x + body.width - kControls, body.y, kControls, body.height - kRows - 26};
+  return {.chart = {body.x + 56, body.y + 44, column.x - kMargin - body.x - 64, body.height - 88},
+          .page = {column.x, column.y, kControls, column.height - 30},
+          .controls = {column.x, column.y + column.height, kControls, kRows}};
+}
+
+/// The chosen picture and the frames around its worst places.
+void TradeView::drawChosen(Pen& pen, const Rect& well, const DrawContext& context) {
+  constexpr int kFrame = 9;
+  well_ = well;
+  pen.paint.fillRect(well, pen(Cell::Well));
+  painted_.reset(), places_.clear();
+  if (chosen_ < 0) return;
+  const Measured& one = known_.trade.combinations[chosen_];
+  const Configuration& chosen = one.configuration;
   if (!pictures_ || divisions_ != chosen.divisions) {
     pictures_.emplace(dividedAnew(context.picture.scene(), chosen.divisions));
     divisions_ = chosen.divisions;
   }
+  const Rect& like = context.layout.picture;
+  const double scale = std::min(double(well.width) / like.width, double(well.height) / like.height);
+  const int width = std::max(1, static_cast<int>(scale * like.width)),
+            height = std::max(1, static_cast<int>(scale * like.height));
+  const Rect at{well.x + (well.width - width) / 2, well.y + (well.height - height) / 2, width, height};
   PictureSettings settings = withChanges(context.setup, chosen).picture;
   settings.camera = heldCamera(context.picture);
-  const Rect place = at_.picture * context.layout.unit;
-  settings.width = place.width, settings.height = place.height;
+  settings.width = width * context.layout.unit, settings.height = height * context.layout.unit;
   settings.inPixels = false;
   painted_ = pictures_->make(settings, context.plan[Cell::Well]);
+  pen.paint.place(painted_->image(), at.x, at.y);
+  if (isStale(context)) return;
+  for (const WorstPlace& place : one.here.worst)
+    places_.push_back({at.x + place.x * width / measuredSize_.width - kFrame / 2,
+                       at.y + place.y * height / measuredSize_.height - kFrame / 2, kFrame, kFrame});
+  if (place_ >= static_cast<int>(places_.size())) place_ = 0;
+  Painter inside = pen.paint.within(well);
+  for (std::size_t k = places_.size(); k-- > 0;) {
+    const auto frame = [&, f = places_[k]](int by, Cell cell) {
+      inside.frame({f.x - by, f.y - by, f.width + 2 * by, f.height + 2 * by}, pen(cell));
+    };
+    const bool told = static_cast<int>(k) == place_;
+    frame(1, Cell::Well), frame(0, told ? Cell::White : Cell::WellText);
+    if (told) frame(-1, Cell::White);
+  }
+}
+
+/// The chosen combination, its numbers, and why it is this one.
+page::Page TradeView::page(const DrawContext& context) {
+  const std::vector<int> front = frontBy(axes_, known_.trade);
+  const bool compact = context.layout.body.height < kCompactBelow, byLimit = chosen_ == within_.combination;
+  page::Page page{.sections = {{.title = "chosen"}}};
+  page::Section& top = page.sections.front();
+  top.add(page::Sketch{.draw = [&](Pen& pen, const Rect& well) { drawChosen(pen, well, context); },
+                       .lines = compact ? 8 : 12,
+                       .weight = 9});
+  if (chosen_ < 0) return page;
+  top.aside = byLimit ? (within_.accurate ? "cheapest within the limit" : "the most accurate")
+              : std::ranges::find(front, chosen_) != front.end() ? "on the front"
+                                                                 : "not on the front";
+  const Measured& one = known_.trade.combinations[chosen_];
+  top.say(labelOf(one.configuration), 9).tone = page::Tone::Bold;
+  page::Table numbers{.columns = {{}, {.right = true}, {}}, .least = 5};
+  const auto row = [&](std::string label, std::string value, std::string more) {
+    numbers.rows.push_back({{.words = std::move(label), .tone = page::Tone::Soft},
+                            {.words = std::move(value), .tone = page::Tone::Bold},
+                            {.words = std::move(more), .tone = page::Tone::Soft}});
+  };
+  const double limit = limit_.rms;
+  row("error", fixed(errorOnAllViews(one), 4), "limit " + fixed(limit, limit < 0.01 ? 4 : 3));
+  row("time", msText(one.cost.time.ms) + " ms", fixed(one.cost.time.ratio, 2) + " x the set-up");
+  if (!compact) {
+    row("memory", fixed(static_cast<double>(one.cost.bytes) / 1e6, 1) + " MB", "");
+    const PictureSettings& measured = one.configuration.settings;
+    row("wrong, of " + sizeText(measured.width, measured.height), grouped(one.here.wrongFaces),
+        "of " + grouped(one.here.samples));
+  }
+  if (place_ < std::ssize(one.here.worst)) {
+    const WorstPlace& place = one.here.worst[place_];
+    row("place " + std::to_string(place_ + 1) + " of " + std::to_string(one.here.worst.size()) + ", off by",
+        fixed(place.error, 3), place.shownFace != place.face ? "a wrong face" : "");
+  }
+  top.add(std::move(numbers));
+  if (!byLimit) return page;
+  page::Section& why = page.sections.emplace_back(page::Section{.title = "why this one"});
+  // The rows above say what the first two sentences say.
+  for (std::size_t k = 2; k < within_.why.size(); ++k) why.say(within_.why[k], 3);
+  return page;
+}
+
+void TradeView::drawChart(Pen& pen, bool stale, bool compact) {
+  const Rect& chart = at_.chart;
+  const std::vector<Measured>& all = known_.trade.combinations;
+  pen.paint.text(chart.x - 48, chart.y - 28, "Cost against error", pen(Cell::Ink), Voice::Title);
+  pen.softRight(chart.x + chart.width, chart.y - 28,
+                stale
+                    ? (compact ? "out of date: press m" : "measured for an earlier set-up: m measures again")
+                    : counted(std::ssize(all), "configuration") + (compact   ? ""
+                                                                   : single_ ? ", one change each"
+                                                                             : ", this scene, this view"));
+  if (areTimed(all))
+    return drawTradePlot(pen.paint, pen.plan, TradeScale{chart, known_.trade, axes_}, known_.trade, chosen_,
+                         axes_.error == TradeError::Rms ? std::optional{limit_.rms} : std::nullopt);
+  const bool failed = !known_.failure.empty();
+  int y = chart.y + chart.height / 2;
+  pen.bold(chart.x, y, failed ? "This set-up cannot be measured." : "Measuring");
+  for (const std::string& words : broken(failed ? known_.failure : known_.doing, chart.width / 6))
+    pen.soft(chart.x, y += 17, words);
 }
 
 void TradeView::draw(Painter paint, const DrawContext& context) {
-  at_ = layoutOfTrade(context.layout.body, context.layout.picture);
+  const Rect& body = context.layout.body;
+  at_ = layoutOfTrade(body);
   if (measuredScene_ != context.picture.scene().name) measuredOf_.reset();
   if (again_ || !measuredOf_) {
     pictures_.reset();
     measure(context.picture, context.setup);
   }
-  paintChosen(context);
-  const bool stale = isStale(context);
-  places_ = stale || chosen_ < 0 ? std::vector<Rect>{}
-                                 : framesOfWorst(at_, measuredSize_, known_.trade.combinations[chosen_]);
-  if (place_ >= static_cast<int>(places_.size())) place_ = 0;
-  paint.fillRect(context.layout.body, context.plan[Cell::Paper]);
-  drawTradePage(paint, at_,
-                {.trade = known_.trade,
-                 .doing = known_.doing,
-                 .failure = known_.failure,
-                 .single = single_,
-                 .stale = stale,
-                 .axes = axes_,
-                 .limit = limit_.rms,
-                 .chosen = chosen_,
-                 .within = within_,
-                 .picture = painted_ ? &painted_->image() : nullptr,
-                 .places = places_,
-                 .place = place_},
-                context.plan);
+  Pen pen{paint, context.plan};
+  paint.fillRect(body, context.plan[Cell::Paper]);
+  drawChart(pen, isStale(context), body.height < kCompactBelow);
+  const page::Page page = this->page(context);
+  page::draw(pen, page, at_.page, page::pitchOf(body));
+  const Rect& below = at_.controls;
+  pen.rule(below.x, below.y - 22, below.width);
+  pen.caps(below.x, below.y - 6, "limit and axes");
+  drawTradeLegend(paint, context.plan, below.x, below.y + below.height + 12);
   list_.forgetPlaces();
   const Controls all = controls();
-  (void)list_.placeColumn(all, at_.controls.x, at_.controls.y + 15);
-  Pen pen{paint, context.plan};
+  (void)list_.placeColumn(all, below.x, below.y + 15);
   list_.draw(pen, all);
   colors_ = {context.palette, std::nullopt};
   use_ = {};
@@ -342,13 +426,13 @@ void TradeView::draw(Painter paint, const DrawContext& context) {
     const Palette own = painted_->palette(context.plan, context.palette);
     colors_.palette = context.gray ? forGrayScreen(own, *painted_) : own;
   }
-  status_ = measuring_
-                ? "measuring, " + std::to_string(told_) + " of about " + textOf(request_.seconds) +
-                      " s: " + known_.doing
-                : grouped(static_cast<std::int64_t>(known_.trade.combinations.size())) + " measured, " +
-                      grouped(static_cast<std::int64_t>(frontBy(axes_, known_.trade).size())) +
-                      " on the front";
+  status_ = measuring_ ? "measuring, " + std::to_string(told_) + " of about " + textOf(request_.seconds) +
+                             " s: " + known_.doing
+                       : grouped(std::ssize(known_.trade.combinations)) + " measured, " +
+                             grouped(std::ssize(frontBy(axes_, known_.trade))) + " on the front";
   aside_ = measuring_ ? "" : grouped(known_.trade.ofCombinations.rounds) + " rounds, in turn";
+  words_ = page::asLines(page);
+  words_.insert(words_.begin(), status_);
   changed_ = false;
 }
 
@@ -407,188 +491,6 @@ void Measuring::publish(News news) {
 std::optional<Measuring::News> Measuring::news() {
   const std::lock_guard lock{mutex_};
   return std::exchange(news_, std::nullopt);
-}
-
-namespace {
-
-constexpr int kRow = 22, kLine = 17;
-/// Draws a page.
-class TradeDrawing {
- public:
-  TradeDrawing(Painter paint, const TradeLayout& at, const TradePage& page, const CellPlan& plan)
-      : pen_{paint, plan}, at_{at}, page_{page} {}
-
-  void drawChart() {
-    const int x = at_.chart.x - 48, y = at_.chart.y - 36;
-    pen_.paint.text(x, y + 8, "Cost against error", pen_(Cell::Ink), Voice::Title);
-    pen_.softRight(at_.chart.x + at_.chart.width, y + 8, heading());
-    if (!hasTimes()) {
-      drawWaiting();
-      return;
-    }
-    drawTradePlot(pen_.paint, pen_.plan, TradeScale{at_.chart, page_.trade, page_.axes}, page_.trade,
-                  page_.chosen,
-                  page_.axes.error == TradeError::Rms ? std::optional{page_.limit} : std::nullopt);
-  }
-
-  void drawColumn() {
-    const int x = at_.column.x, width = at_.column.width;
-    int y = at_.column.y + 11;
-    pen_.caps(x, y, "chosen");
-    pen_.softRight(x + width, y,
-                   page_.chosen < 0 ? ""
-                   : page_.chosen == page_.within.combination
-                       ? (page_.within.accurate ? "cheapest within the limit" : "the most accurate")
-                   : isOnFront() ? "on the front"
-                                 : "not on the front");
-    pen_.paint.fillRect(at_.well, pen_(Cell::Well));
-    if (page_.picture) pen_.paint.place(*page_.picture, at_.picture.x, at_.picture.y);
-    drawPlaces();
-    y = at_.well.y + at_.well.height + 20;
-    if (page_.chosen >= 0) y = drawNumbers(x, y, width);
-    drawControls();
-    if (page_.chosen >= 0) drawWhy(x, y, width);
-  }
-
- private:
-  [[nodiscard]] bool hasTimes() const {
-    return std::ranges::any_of(page_.trade.combinations,
-                               [](const Measured& m) { return m.cost.time.ms > 0; });
-  }
-
-  [[nodiscard]] bool isOnFront() const {
-    const std::vector<int> front = frontBy(page_.axes, page_.trade);
-    return std::ranges::find(front, page_.chosen) != front.end();
-  }
-
-  [[nodiscard]] std::string heading() const {
-    return page_.stale
-               ? (at_.compact ? "out of date: press m" : "measured for an earlier set-up: m measures again")
-               : counted(static_cast<std::int64_t>(page_.trade.combinations.size()), "configuration") +
-                     (at_.compact    ? ""
-                      : page_.single ? ", one change each"
-                                     : ", this scene, this view");
-  }
-
-  void drawWaiting() {
-    const int x = at_.chart.x, y = at_.chart.y + at_.chart.height / 2;
-    pen_.bold(x, y, page_.failure.empty() ? "Measuring" : "This set-up cannot be measured.");
-    for (int line = 0; const std::string& words :
-                       broken(page_.failure.empty() ? page_.doing : page_.failure, at_.chart.width / 6))
-      pen_.soft(x, y + kLine * ++line, words);
-  }
-
-  void drawPlaces() {
-    Painter inside = pen_.paint.within(at_.well);
-    for (std::size_t k = page_.places.size(); k-- > 0;) {
-      const Rect& frame = page_.places[k];
-      const bool told = static_cast<int>(k) == page_.place;
-      inside.frame({frame.x - 1, frame.y - 1, frame.width + 2, frame.height + 2}, pen_(Cell::Well));
-      inside.frame(frame, pen_(told ? Cell::White : Cell::WellText));
-      if (told)
-        inside.frame({frame.x + 1, frame.y + 1, frame.width - 2, frame.height - 2}, pen_(Cell::White));
-    }
-  }
-
-  int drawNumbers(int x, int y, int width) {
-    const Measured& one = page_.trade.combinations[page_.chosen];
-    const std::vector<std::string> name = broken(labelOf(one.configuration), width / 6);
-    for (const std::string& line : name) pen_.bold(x, y, line), y += kLine;
-    const auto row = [&](std::string_view label, const std::string& value, const std::string& soft) {
-      pen_.soft(x, y, label);
-      pen_.boldRight(x + 190, y, value);
-      pen_.soft(x + 200, y, soft);
-      y += kLine;
-    };
-    row("error", fixed(errorOnAllViews(one), 4), "limit " + textOfLimit(page_.limit));
-    row("time", msText(one.cost.time.ms) + " ms", fixed(one.cost.time.ratio, 2) + " x the set-up");
-    if (!at_.compact) {
-      row("memory", fixed(static_cast<double>(one.cost.bytes) / 1e6, 1) + " MB", "");
-      const PictureSettings& measured = one.configuration.settings;
-      row("wrong, of " + sizeText(measured.width, measured.height), grouped(one.here.wrongFaces),
-          "of " + grouped(one.here.samples));
-    }
-    if (page_.place < static_cast<int>(one.here.worst.size())) {
-      const WorstPlace& place = one.here.worst[page_.place];
-      row("place " + std::to_string(page_.place + 1) + " of " + std::to_string(one.here.worst.size()) +
-              ", off by",
-          fixed(place.error, 3), place.shownFace != place.face ? "a wrong face" : "");
-    }
-    return y;
-  }
-
-  void drawWhy(int x, int y, int width) {
-    if (page_.chosen != page_.within.combination) return;
-    pen_.rule(x, y - 8, width);
-    y += 10;
-    pen_.caps(x, y, "why this one");
-    y += kLine + 2;
-    // The rows above say what the first two sentences say.
-    const std::vector<std::string>& why = page_.within.why;
-    const int room = (at_.controls.y - 26 - y) / (kLine - 1) + 1;
-    for (const std::string& line : wholeSentences(
-             {why.begin() + std::min<std::ptrdiff_t>(2, std::ssize(why)), why.end()}, width / 6, room))
-      pen_.ink(x, y, line), y += kLine - 1;
-  }
-
-  void drawControls() {
-    const int x = at_.controls.x, width = at_.controls.width;
-    pen_.rule(x, at_.controls.y - 22, width);
-    pen_.caps(x, at_.controls.y - 6, "limit and axes");
-    drawTradeLegend(pen_.paint, pen_.plan, x, at_.controls.y + at_.controls.height + 12);
-  }
-
-  Pen pen_;
-  const TradeLayout& at_;
-  const TradePage& page_;
-};
-
-}  // namespace
-
-TradeLayout layoutOfTrade(const Rect& body, const Rect& measured) {
-  TradeLayout at;
-  at.compact = body.height < kCompactBelow;
-  at.column = {body.x + body.width - kControls, body.y, kControls, body.height};
-  const int wide = at.column.x - kMargin - body.x;
-  at.chart = {body.x + 56, body.y + 44, wide - 64, body.height - 44 - 44};
-  at.well = {at.column.x, body.y + 18, kControls, at.compact ? 120 : 196};
-  const double scale =
-      std::min(double(at.well.width) / measured.width, double(at.well.height) / measured.height);
-  const int w = std::max(1, static_cast<int>(scale * measured.width)),
-            h = std::max(1, static_cast<int>(scale * measured.height));
-  at.picture = {at.well.x + (at.well.width - w) / 2, at.well.y + (at.well.height - h) / 2, w, h};
-  const int controls = body.y + body.height - 3 * kRow - 26;
-  at.controls = {at.column.x, controls, kControls, 3 * kRow};
-  return at;
-}
-
-std::string textOfLimit(double limit) {
-  return limit < kLimits.low ? textOf(limit) : fixed(limit, limit < 0.01 ? 4 : 3);
-}
-
-std::vector<std::string> wholeSentences(const std::vector<std::string>& sentences, int most, int room) {
-  std::vector<std::string> all;
-  for (const std::string& sentence : sentences) {
-    const std::vector<std::string> lines = broken(sentence, most);
-    if (std::ssize(all) + std::ssize(lines) <= room) all.insert(all.end(), lines.begin(), lines.end());
-  }
-  return all;
-}
-
-std::vector<Rect> framesOfWorst(const TradeLayout& at, const Rect& measured, const Measured& one) {
-  constexpr int kFrame = 9;
-  std::vector<Rect> frames;
-  for (const WorstPlace& place : one.here.worst)
-    frames.push_back({at.picture.x + place.x * at.picture.width / measured.width - kFrame / 2,
-                      at.picture.y + place.y * at.picture.height / measured.height - kFrame / 2, kFrame,
-                      kFrame});
-  return frames;
-}
-
-void drawTradePage(Painter paint, const TradeLayout& at, const TradePage& page, const CellPlan& plan) {
-  TradeDrawing drawing{paint, at, page, plan};
-  drawing.drawChart();
-  drawing.drawColumn();
 }
 
 }  // namespace xnewell

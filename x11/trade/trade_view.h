@@ -15,6 +15,7 @@
 #include "shading/trade/choice.h"
 #include "shading/trade/trade.h"
 #include "x11/kit/control.h"
+#include "x11/kit/page.h"
 #include "x11/views/trade_chart.h"
 #include "x11/window/window_view.h"
 
@@ -23,50 +24,18 @@ namespace xnewell {
 /// What does accuracy cost on this scene, and which is enough? At the left the chart, at the right what is
 /// chosen, why, and the limit.
 
-/// The places of the page's parts, in units.
+/// The places of the view's parts, in units.
 struct TradeLayout {
-  bool compact = false;
   Rect chart;     ///< the area of the marks
-  Rect column;    ///< everything at the right
-  Rect well;      ///< the frame of the picture
-  Rect picture;   ///< of the chosen combination, as wide for its height as the measured one
-  Rect controls;  ///< the rows of the controls
+  Rect page;      ///< what is chosen, and why
+  Rect controls;  ///< their rows
 };
-/// `body` is at least 768 x 428. `measured` has the size of the pictures that are measured.
-[[nodiscard]] TradeLayout layoutOfTrade(const Rect& body, const Rect& measured);
+/// `body` is at least 768 x 428.
+[[nodiscard]] TradeLayout layoutOfTrade(const Rect& body);
 
 /// The limits that the slider reaches.
 inline constexpr TrackRange kLimits{
     .low = 0.001, .high = 0.5, .step = 1.0 / 40, .logarithmic = true, .decimals = 4};
-/// The limit in digits: 0.030, 0.0015.
-[[nodiscard]] std::string textOfLimit(double limit);
-
-/// The sentences in lines of at most `most` characters. What does not fit whole into so many lines (`room`)
-/// is left out.
-[[nodiscard]] std::vector<std::string> wholeSentences(const std::vector<std::string>& sentences, int most,
-                                                      int room);
-
-/// All that the page shows.
-struct TradePage {
-  const Trade& trade;
-  std::string doing;    ///< what is being measured; "" if all is done
-  std::string failure;  ///< why there is no trade
-  bool single = false;  ///< the combinations are single short cuts, because no others are known yet
-  bool stale = false;   ///< the set-up is no longer the one that was measured
-  TradeAxes axes;
-  double limit = 0.03;
-  int chosen = -1;                      ///< index into trade.combinations
-  Chosen within;                        ///< what chooseWithin() says
-  const IndexImage* picture = nullptr;  ///< of the chosen combination; null for none
-  std::vector<Rect> places = {};        ///< the worst places in the picture, the worst first
-  int place = 0;                        ///< the place whose numbers are shown
-};
-/// The frames around the worst places of a combination, in units, the worst first. `measured`
-/// has the size of the pictures that are measured.
-[[nodiscard]] std::vector<Rect> framesOfWorst(const TradeLayout& at, const Rect& measured,
-                                              const Measured& one);
-/// Draws on a background of paper.
-void drawTradePage(Painter paint, const TradeLayout& at, const TradePage& page, const CellPlan& plan);
 
 /// A trade that is measured on a thread of its own, while the window goes on.
 class Measuring {
@@ -127,12 +96,16 @@ class TradeView : public WindowView {
   void draw(Painter paint, const DrawContext& context) override;
   [[nodiscard]] std::string status() const override { return status_; }
   [[nodiscard]] std::string aside() const override { return aside_; }
+  [[nodiscard]] std::vector<std::string> report() const override { return words_; }
   [[nodiscard]] const CellUse* use() const override { return &use_; }
   [[nodiscard]] const OwnColors* colors() const override { return &colors_; }
 
   [[nodiscard]] const Trade& trade() const { return known_.trade; }
   [[nodiscard]] int chosen() const { return chosen_; }
   [[nodiscard]] double limit() const { return limit_.rms; }
+  /// The ground of the chosen picture, and the frames of its worst places, the worst first.
+  [[nodiscard]] const Rect& well() const { return well_; }
+  [[nodiscard]] const std::vector<Rect>& places() const { return places_; }
 
  private:
   void measure(const Picture& picture, const Setup& setup);
@@ -150,7 +123,9 @@ class TradeView : public WindowView {
   /// Shows it in view 5, beside the set-up without short cuts.
   void compareChosen();
   void askToSave();
-  void paintChosen(const DrawContext& context);
+  void drawChosen(Pen& pen, const Rect& well, const DrawContext& context);
+  [[nodiscard]] page::Page page(const DrawContext& context);
+  void drawChart(Pen& pen, bool stale, bool compact);
   [[nodiscard]] bool isStale(const DrawContext& context) const;
 
   TradeRequest request_;
@@ -179,6 +154,8 @@ class TradeView : public WindowView {
   std::optional<Picture> painted_;
   // The state of the last drawing.
   TradeLayout at_;
+  Rect well_;
+  std::vector<std::string> words_;
   CellUse use_;
   OwnColors colors_{};
   std::string status_, aside_;

@@ -574,7 +574,10 @@ TEST(HandIns, AreFoundAsCourseSystemsGiveThem) {
       {"anna", "anna/flat.PNG", "flat.PNG", "anna/"},
       {"bert", "bert", "", "bert/"}};
   EXPECT_EQ(rows, expected);
-  EXPECT_EQ(sentenceOf(found.passed), "passed over: 3 hidden files, 2 linked folders, 2 other files");
+  EXPECT_EQ(
+      sentenceOf(found.passed),
+      "passed over: 3 hidden files (.git, __MACOSX, anna/.hidden.png), 2 linked folders (anna/loop, zoe), "
+      "2 other files (anna/notes.txt, bert/readme.md)");
   EXPECT_THROW((void)handInsOf(folder.file("none")), std::system_error);
 }
 

@@ -26,58 +26,77 @@ QuestionScene about(const std::string& name) {
   return QuestionScene{scene, s};
 }
 
-using Given = std::map<std::string, double>;
 struct V {
   double x = 0, y = 0, z = 0;
 };
-V of(const Given& g, const std::string& name) {
-  return {g.at(name + "x"), g.at(name + "y"), g.at(name + "z")};
+std::vector<V> pointsIn(const std::string& text) {
+  std::vector<V> all;
+  const std::regex point{R"(\((-?[\d.]+), (-?[\d.]+), (-?[\d.]+)\))"};
+  for (std::sregex_iterator at{text.begin(), text.end(), point}, end; at != end; ++at)
+    all.push_back({std::stod(at->str(1)), std::stod(at->str(2)), std::stod(at->str(3))});
+  return all;
+}
+/// The number behind these words.
+double after(const ExamQuestion& q, const std::string& words) {
+  const std::size_t at = q.text.find(words);
+  EXPECT_NE(at, q.text.npos) << words << " in " << q.text;
+  return at == q.text.npos ? NAN : std::stod(q.text.substr(at + words.size()));
 }
 double by(const V& a, const V& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 double angleBetween(const V& a, const V& b) { return std::acos(by(a, b) / std::sqrt(by(a, a) * by(b, b))); }
 
 /// The answer by another way than the program's.
 double answered(const ExamQuestion& q) {
-  const Given& g = q.given;
-  if (q.kind == "cell-linear") return std::floor(11.5 + 239 * g.at("I"));
+  const std::vector<V> v = pointsIn(q.text);
+  if (q.kind == "cell-linear") return std::floor(11.5 + 239 * after(q, "does I = "));
   if (q.kind == "cell-corrected") {
     int best = 0;
     double least = 1e9;
     for (int j = 0; j < 240; ++j) {
-      const double held = 0.02 * std::pow(50.0, j / 239.0), ratio = std::abs(std::log(held / g.at("I")));
+      const double held = 0.02 * std::pow(50.0, j / 239.0),
+                   ratio = std::abs(std::log(held / after(q, "ratio to I = ")));
       if (ratio < least) least = ratio, best = j;
     }
     return 11 + best;
   }
-  if (q.kind == "table-ratio") return std::pow(1 / g.at("I0"), 1 / (g.at("N") - 1));
-  if (q.kind == "stored-value") return 257 * (g.at("cell") - 10);
-  if (q.kind == "N.L") return std::cos(angleBetween(of(g, "N"), of(g, "L")));
+  if (q.kind == "table-ratio") return std::pow(1 / after(q, "I0 = "), 1 / (after(q, "table has ") - 1));
+  if (q.kind == "stored-value") return 257 * (after(q, "stored in cell ") - 10);
+  if (q.kind == "N.L") return std::cos(angleBetween(v[0], v[1]));
   if (q.kind == "R.V") {
     // R.V = 2 (N.L)(N.V) - L.V
-    const V N = of(g, "N"), L = of(g, "L"), V_ = of(g, "V");
+    const V N = v[0], L = v[1], V_ = v[2];
     return 2 * std::cos(angleBetween(N, L)) * std::cos(angleBetween(N, V_)) - std::cos(angleBetween(L, V_));
   }
   if (q.kind == "equation") {
-    double I = g.at("ka") * g.at("Ia");
-    if (g.at("NL") > 0)
-      I += g.at("Ip") * (g.at("kd") * g.at("NL") + g.at("ks") * std::exp(g.at("n") * std::log(g.at("RV"))));
+    const double NL = after(q, "N.L = ");
+    double I = after(q, "ka = ") * after(q, "Ia = ");
+    if (NL > 0)
+      I += after(q, "Ip = ") *
+           (after(q, "kd = ") * NL +
+            after(q, "ks = ") * std::exp(after(q, " n = ") * std::log(after(q, "R.V = "))));
     return std::min(1.0, I);
   }
-  if (q.kind == "attenuation") return std::min(1.0, std::pow(g.at("d"), -g.at("power")));
+  if (q.kind == "attenuation")
+    return std::min(1.0, std::pow(after(q, "distance d = "), q.text.find("d^2") == q.text.npos ? -1 : -2));
   if (q.kind == "gouraud-row") {
-    const double t = (g.at("x") - g.at("left")) / (g.at("right") - g.at("left"));
-    return (1 - t) * g.at("A") + t * g.at("B");
+    std::smatch of;
+    EXPECT_TRUE(std::regex_search(
+        q.text, of, std::regex{R"(is ([\d.]+) at x = (\d+) and ([\d.]+) at x = (\d+).*at x = (\d+))"}));
+    const double left = std::stod(of.str(2)),
+                 t = (std::stod(of.str(5)) - left) / (std::stod(of.str(4)) - left);
+    return (1 - t) * std::stod(of.str(1)) + t * std::stod(of.str(3));
   }
   if (q.kind == "normal") {
-    const V a = of(g, "p0"), b = of(g, "p1"), c = of(g, "p2");
+    const V a = v[0], b = v[1], c = v[2];
     const V N{(b.y - a.y) * (c.z - a.z) - (b.z - a.z) * (c.y - a.y),
               (b.z - a.z) * (c.x - a.x) - (b.x - a.x) * (c.z - a.z),
               (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)};
     const double length = std::sqrt(by(N, N));
-    return g.at("axis") == 0 ? N.x / length : g.at("axis") == 1 ? N.y / length : N.z / length;
+    const char axis = q.text[q.text.find(" component") - 1];
+    return (axis == 'x' ? N.x : axis == 'y' ? N.y : N.z) / length;
   }
   if (q.kind == "vertex-normal") {
-    const V a = of(g, "a"), b = of(g, "b");
+    const V a = v[0], b = v[1];
     const double la = std::sqrt(by(a, a)), lb = std::sqrt(by(b, b));
     const V sum{a.x / la + b.x / lb, a.y / la + b.y / lb, a.z / la + b.z / lb};
     return sum.z / std::sqrt(by(sum, sum));
@@ -111,13 +130,6 @@ struct Listed {
   int number = 0;
   std::vector<V> corners;
 };
-std::vector<V> pointsIn(const std::string& text) {
-  std::vector<V> all;
-  const std::regex point{R"(\((-?[\d.]+), (-?[\d.]+), (-?[\d.]+)\))"};
-  for (std::sregex_iterator at{text.begin(), text.end(), point}, end; at != end; ++at)
-    all.push_back({std::stod(at->str(1)), std::stod(at->str(2)), std::stod(at->str(3))});
-  return all;
-}
 std::vector<Listed> listed(const ExamQuestion& q) {
   std::vector<Listed> all;
   for (const std::string& line : q.lines) all.push_back({std::stoi(line.substr(5)), pointsIn(line)});
@@ -294,26 +306,28 @@ TEST(Questions, OfferWhatMistakesGive) {
       EXPECT_NE(std::abs(q.number), 1) << q.text;
     }
     if (q.kind != "equation" && q.kind != "R.V") continue;
-    const Given& g = q.given;
     EXPECT_NEAR(std::stod(q.choices[q.right]), q.number, 0.0006) << q.text;
     EXPECT_GE(q.choices.size(), 3u);
     EXPECT_EQ(std::set(q.choices.begin(), q.choices.end()).size(), q.choices.size());
     std::map<std::string, double> given;
     if (q.kind == "R.V") {
-      const double length = std::sqrt(by(of(g, "N"), of(g, "N")));
+      const std::vector<V> v = pointsIn(q.text);
+      const double length = std::sqrt(by(v[0], v[0]));
       given = {{"R reversed", -q.number}, {"V from the eye", -q.number}, {"L from the light", -q.number}};
-      const double LV = std::cos(angleBetween(of(g, "L"), of(g, "V")));
+      const double LV = std::cos(angleBetween(v[1], v[2]));
       given["R without its 2"] = (q.number + LV) / 2 - LV;
       given["N not of unit length"] = (q.number + LV) * length * length - LV;
     } else {
-      const bool lit = g.at("NL") > 0;
-      const double ambient = g.at("ka") * g.at("Ia"), diffuse = g.at("Ip") * g.at("kd") * g.at("NL"),
-                   specular = g.at("Ip") * g.at("ks") * std::pow(g.at("RV"), g.at("n"));
+      const double NL = after(q, "N.L = "), RV = after(q, "R.V = "), Ip = after(q, "Ip = "),
+                   ks = after(q, "ks = ");
+      const bool lit = NL > 0;
+      const double ambient = after(q, "ka = ") * after(q, "Ia = "), diffuse = Ip * after(q, "kd = ") * NL,
+                   specular = Ip * ks * std::pow(RV, after(q, " n = "));
       given = {{"no ambient term", lit ? diffuse + specular : 0},
                {"the ambient term twice", 2 * ambient + (lit ? diffuse + specular : 0)},
                {"no specular term", ambient + (lit ? diffuse : 0)},
                {"no diffuse term", ambient + (lit ? specular : 0)},
-               {"no exponent", ambient + (lit ? diffuse + g.at("Ip") * g.at("ks") * g.at("RV") : 0)},
+               {"no exponent", ambient + (lit ? diffuse + Ip * ks * RV : 0)},
                {"N.L not clamped", ambient + diffuse + (lit ? specular : 0)}};
       for (auto& [words, I] : given) I = std::clamp(I, 0.0, 1.0);
     }

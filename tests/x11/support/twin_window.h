@@ -101,7 +101,7 @@ class TwinWindow {
       const SidesLayout at = layoutOfSides(layout.body);
       parts = {at.captionA, at.A, at.captionB, at.B, at.difference};
     }
-    if (same.view() == View::Trade) parts = {layoutOfTrade(layout.body, layout.picture).controls};
+    if (same.view() == View::Trade) parts = {layoutOfTrade(layout.body).controls};
     for (Rect& part : parts) part = part * unit;
     return parts;
   }

@@ -40,7 +40,7 @@ struct Measured6 {
   }
   void press(std::string_view letters) { stage.press(bench, letters), stage.draw(bench); }
   void press(NamedKey key) { stage.press(bench, key), stage.draw(bench); }
-  [[nodiscard]] TradeLayout at() const { return layoutOfTrade(stage.layout.body, stage.layout.picture); }
+  [[nodiscard]] TradeLayout at() const { return layoutOfTrade(stage.layout.body); }
   [[nodiscard]] const Measured& chosen() const { return bench.trade().combinations[bench.chosen()]; }
   [[nodiscard]] int count(const Rect& r, Cell cell) const {
     return static_cast<int>(std::ranges::count(stage.part(r).pixels, stage.plan[cell]));
@@ -202,18 +202,18 @@ TEST(TradeView, UsesAndComparesWhatIsChosen) {
 // The worst places lie within the picture. n goes from one to the next.
 TEST(TradeView, ShowsTheWorstPlaces) {
   Measured6 m;
-  const TradeLayout at = m.at();
-  const std::vector<Rect> frames = framesOfWorst(at, m.stage.layout.picture, m.chosen());
+  const Rect well = m.bench.well();
+  const std::vector<Rect> frames = m.bench.places();
   ASSERT_GE(frames.size(), 2u);
-  for (const Rect& frame : frames) EXPECT_FALSE(intersection(frame, at.picture).empty());
+  for (const Rect& frame : frames) EXPECT_FALSE(intersection(frame, well).empty());
   EXPECT_EQ(std::ranges::max(m.chosen().here.worst, {}, &WorstPlace::error).error,
             m.chosen().here.worst.front().error);
-  const IndexImage first = m.stage.part(at.well);
+  const IndexImage first = m.stage.part(well);
   EXPECT_GT(m.count(frames[0], Cell::White), 0);
   m.press("n");
-  EXPECT_NE(m.stage.part(at.well).pixels, first.pixels);
+  EXPECT_NE(m.stage.part(well).pixels, first.pixels);
   for (std::size_t k = 1; k < frames.size(); ++k) m.press("n");
-  EXPECT_EQ(m.stage.part(at.well).pixels, first.pixels);
+  EXPECT_EQ(m.stage.part(well).pixels, first.pixels);
 }
 
 // X and Y change what the axes show, and the front is one of these axes.
