@@ -23,6 +23,7 @@ constexpr double kAsWell = 1e-6;     ///< of cost
 constexpr double kLargeN = 32;
 constexpr int kFewTelling = 12;  ///< samples; fewer tell nothing
 constexpr int kFewFaces = 2;
+constexpr int kFewOfFace = 2;  ///< samples, more of which tell against a row
 constexpr double kTwoInformative = 0.95;
 constexpr int kPlacesForTwo = 3;  ///< pairs of values that must tell before two mistakes are named
 /// The faces, or values of smooth ones, that must tell a number; a third of those that are not right will do.
@@ -137,9 +138,13 @@ Fit Diagnoser::fit(const std::vector<Predicted>& other, std::size_t stride) {
   const bool exactly = tellsExactly();
   std::bitset<256 * 256> places;
   int explained = 0, told = 0, lastFace = kNothing;  // samples are in order of faces
+  int ofFace = 0;                                    // those that it explains less those that it does not
   for (std::size_t k = 0; k < d.size(); ++k) {
     const std::size_t s = k * stride;
     explained += d[k] <= t;
+    ofFace += d[k] <= t ? 1 : -1;
+    if (k + 1 == d.size() || samples_[s + stride].face != samples_[s].face)
+      fit.against += ofFace < -kFewOfFace, ofFace = 0;
     const bool byValue = exactly && other[k].slope == 0.0F;
     const bool yoursIsRight =
         byValue ? fromRight[k] < 200.0 && isSame(yours, s, right[s]) : fromRight[k] <= own;
@@ -151,13 +156,21 @@ Fit Diagnoser::fit(const std::vector<Predicted>& other, std::size_t stride) {
     ++fit.telling;
     const bool isTold = byValue ? isSame(yours, s, other[k]) : d[k] <= own;
     told += isTold;
+    fit.off += std::min(d[k], 10.0);
     if (isTold && samples_[s].face != lastFace) ++fit.faces, lastFace = samples_[s].face;
     places.set(256 * std::clamp(static_cast<int>(right[s].value[0] + 0.5F), 0, 255) + yours.value[s][0]);
   }
   fit.places = static_cast<int>(places.count());
   fit.explained = static_cast<double>(explained) / static_cast<double>(d.size());
   fit.informative = fit.telling > 0 ? static_cast<double>(told) / fit.telling : 0.0;
+  fit.off /= std::max(1, fit.telling);
   return fit;
+}
+
+std::optional<Fit> Diagnoser::promising(const std::vector<Predicted>& few, const Approach& way) {
+  if (fit(few, kFew).explained < kExplainsFew) return std::nullopt;
+  const Fit some = fit(predicted(way, kThinned), kThinned);
+  return some.explained < kExplainsSome ? std::nullopt : std::optional{some};
 }
 
 /// True if a row or a number explains what it must.
@@ -294,10 +307,12 @@ bool Diagnoser::decideByTwo(Diagnosis& d, double best, bool twoMistakes) {
           first.key == second.key || first.way.view || second.way.view || !applies(first) || !applies(second))
         continue;
       const auto [at, isNew] = two_.try_emplace({&first, &second});
-      if (isNew) at->second = predicted(approachWith(first, &second), kThinned);
-      Fit one = fit(at->second, kThinned);
-      one.first = &first, one.second = &second;
-      pairs.push_back(one);
+      const Approach way = approachWith(first, &second);
+      if (isNew) at->second = predicted(way, kFew);
+      std::optional<Fit> one = promising(at->second, way);
+      if (!one) continue;
+      one->first = &first, one->second = &second;
+      pairs.push_back(*one);
     }
   std::ranges::stable_sort(pairs, {}, &Fit::cost);
   if (pairs.empty() || pairs.front().cost > best - 2 * kClass) return false;

@@ -325,7 +325,7 @@ bool Diagnoser::isStrange(OtherProgram& program, const Read& yours, const Diagno
 /// has the shade of another face, that shows. Other shades are those of mistakes that few samples show, if
 /// one explains them.
 void Diagnoser::countOthers(const HandedIn& handed, Diagnosis& d) {
-  constexpr std::size_t kMostLookedAt = 5000, kMostTried = 300, kFew = 6;
+  constexpr std::size_t kMostLookedAt = 5000, kMostTried = 300, kFewStrange = 6;
   const Fit& found = d.found.front();
   OtherProgram program{model_, approachOf(found)};
   std::vector<DiagnosedSample> all = insideFaces();
@@ -356,7 +356,7 @@ void Diagnoser::countOthers(const HandedIn& handed, Diagnosis& d) {
       if (isStrange(program, yours, s) && !isAnotherFace(program, yours, 0, s)) all.push_back(s), ++kept;
     }
   d.strange = static_cast<int>(kept);
-  if (kept < kFew) return;
+  if (kept < kFewStrange) return;
   for (std::size_t k = 0; k < std::min(kept, kMostTried); ++k)
     all[k] = all[k * kept / std::min(kept, kMostTried)];
   all.resize(std::min(kept, kMostTried));

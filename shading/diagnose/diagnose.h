@@ -71,9 +71,11 @@ struct Outlines {
 inline constexpr int kMostSamples = 3000;
 inline constexpr double kClass = 0.01, kInformative = 0.8, kInformativeOrder = 0.87;
 inline constexpr double kExplainsRight = 0.97;  ///< of the samples, before a picture is called right
-inline constexpr double kExact = 0.97;      ///< of the samples that tell, where each value must be the same
-inline constexpr std::size_t kThinned = 6;  ///< every sixth sample stands for all in a search
-inline constexpr double kOverlap = 0.97;    ///< of the outlines; below it is another scene, camera or size
+inline constexpr double kExact = 0.97;  ///< of the samples that tell, where each value must be the same
+/// In a search every sixth sample stands for all, after every 48th has been explained well enough.
+inline constexpr std::size_t kThinned = 6, kFew = 48;
+inline constexpr double kExplainsFew = 0.85, kExplainsSome = 0.9;
+inline constexpr double kOverlap = 0.97;  ///< of the outlines; below it is another scene, camera or size
 
 struct DiagnosedSample {
   int i = 0, j = 0, face = 0;  ///< of the snapped faces
@@ -92,6 +94,8 @@ struct Fit {
   int telling = 0;         ///< samples that tell
   double informative = 0;  ///< share of these that it explains
   int faces = 0;           ///< that have those of these samples which it explains
+  int against = 0;         ///< faces of whose samples it explains less than half
+  double off = 0;          ///< shades that it is off by, on the mean of the samples that tell
   int places = 0;          ///< pairs of a right value and the picture's that the samples that tell have
 };
 
@@ -211,6 +215,8 @@ class Diagnoser {
   [[nodiscard]] double tolerance() const;
   [[nodiscard]] bool isTold(const Fit& fit) const;
   [[nodiscard]] bool tellsExactly() const;
+  /// How well a way explains some samples, if `few` of them say so.
+  [[nodiscard]] std::optional<Fit> promising(const std::vector<Predicted>& few, const Approach& way);
   [[nodiscard]] std::vector<OtherNumber> likelyNumbers(bool fine) const;
   [[nodiscard]] std::vector<Fit> numbersThatFit(bool fine);
   [[nodiscard]] bool severalTell(const Fit& number, const Hypothesis& best);
@@ -229,7 +235,9 @@ class Diagnoser {
   };
   static constexpr int kEdge = -2;
   [[nodiscard]] const Seen& seenBy(const Hypothesis& h);
-  [[nodiscard]] Score scoreOf(const HandedIn& handed, const Seen& seen, const Read& yours) const;
+  /// Of every `stride`th place.
+  [[nodiscard]] Score scoreOf(const HandedIn& handed, const Seen& seen, const Read& yours,
+                              std::size_t stride = 1) const;
   bool decidePlaced(const HandedIn& handed, Diagnosis& d);
   void addWhatShowsNothing(const HandedIn& handed, Diagnosis& d);
   void decideByEdges(const HandedIn& handed, Diagnosis& d);
@@ -245,8 +253,8 @@ class Diagnoser {
   std::vector<DiagnosedSample> samples_;
   int facesSampled_ = 0;
   std::map<const Hypothesis*, std::vector<Predicted>> known_;
-  std::map<std::pair<const Hypothesis*, const Hypothesis*>, std::vector<Predicted>> two_;  ///< thinned
-  /// By number, thinned; of the second, in small steps.
+  std::map<std::pair<const Hypothesis*, const Hypothesis*>, std::vector<Predicted>> two_;  ///< few
+  /// By number, few; of the second, in small steps.
   std::vector<std::pair<OtherNumber, std::vector<Predicted>>> numbers_, fineNumbers_;
   Read asHanded_;  ///< at samples_
   std::array<std::uint8_t, 3> ground_{};

@@ -11,7 +11,6 @@ namespace xnewell {
 namespace {
 
 constexpr std::size_t kMostFullyTried = 12;
-constexpr double kExplainsSome = 0.9;  ///< of some samples, before all samples are looked at
 constexpr int kMostWholeN = 32;
 
 /// n: whole numbers, then the round ones. The factors: hundredths, or multiples of 1/20.
@@ -78,16 +77,16 @@ std::vector<OtherNumber> Diagnoser::likelyNumbers(bool fine) const {
 /// The numbers that explain the picture, best first: within kClass of the best, each once.
 std::vector<Fit> Diagnoser::numbersThatFit(bool fine) {
   auto& known = fine ? fineNumbers_ : numbers_;
-  const std::size_t stride = tellsExactly() ? kThinned : 3 * kThinned;  // smooth pictures take longer
   if (known.empty())
     for (const OtherNumber& number : likelyNumbers(fine)) {
-      known.emplace_back(number, predicted({.number = number}, stride));
+      known.emplace_back(number, predicted({.number = number}, kFew));
     }
   std::vector<Fit> some;
   for (const auto& [number, shown] : known) {
-    Fit one = fit(shown, stride);
-    one.first = &rowOfNumber(number.which), one.number = number;
-    if (one.explained >= kExplainsSome) some.push_back(one);
+    std::optional<Fit> one = promising(shown, {.number = number});
+    if (!one) continue;
+    one->first = &rowOfNumber(number.which), one->number = number;
+    some.push_back(*one);
   }
   std::ranges::stable_sort(some, {}, &Fit::cost);
   std::vector<Fit> all;

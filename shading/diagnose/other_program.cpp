@@ -40,9 +40,7 @@ OtherProgram::OtherProgram(OtherModel& model, const Approach& way)
     : model_{model},
       way_{way.with(model.picture().settings())},
       places_{model.placesOf(way.view)},
-      table_{tableOf(way_, model.picture().settings().table)},
-      faces_(2 * static_cast<std::size_t>(model.mesh().faceCount())),
-      corners_(2 * model.mesh().corners.size()) {}
+      table_{tableOf(way_, model.picture().settings().table)} {}
 
 double OtherProgram::fade(Light light, double d) const {
   if (light.kind == LightKind::Directional) return 1.0;
@@ -118,12 +116,12 @@ LitPlace OtherProgram::ofTriangle(const SnappedFace& face, const InTriangle& in)
 }
 
 const LitPlace& OtherProgram::ofFace(int face, bool back) {
-  std::optional<LitPlace>& known = faces_[2 * static_cast<std::size_t>(face) + back];
-  if (!known)
-    known =
+  const auto [at, isNew] = faces_.try_emplace(2 * static_cast<std::size_t>(face) + back);
+  if (isNew)
+    at->second =
         lit(model_.centroid(face, way_.centroid),
             side(back) * model_.faceNormal(face, way_.normal, way_.threeFrom), model_.mesh().material[face]);
-  return *known;
+  return at->second;
 }
 
 LitPlace OtherProgram::meanOfFaces(int point) {
@@ -139,12 +137,13 @@ LitPlace OtherProgram::meanOfFaces(int point) {
 }
 
 const LitPlace& OtherProgram::atCorner(int face, int corner, bool back) {
-  std::optional<LitPlace>& known = corners_[2 * static_cast<std::size_t>(corner) + back];
-  if (!known && way_.meansOfFaces) known = meanOfFaces(model_.mesh().corners[corner]);
-  if (!known)
-    known = lit(model_.place(corner), side(back) * model_.cornerNormals(way_)[corner],
-                model_.mesh().material[face]);
-  return *known;
+  const auto [at, isNew] = corners_.try_emplace(2 * static_cast<std::size_t>(corner) + back);
+  if (isNew)
+    at->second = way_.meansOfFaces
+                     ? meanOfFaces(model_.mesh().corners[corner])
+                     : lit(model_.place(corner), side(back) * model_.cornerNormals(way_)[corner],
+                           model_.mesh().material[face]);
+  return at->second;
 }
 
 LitPlace OtherProgram::gouraud(const SnappedFace& face, const InTriangle& in, bool clamps) {

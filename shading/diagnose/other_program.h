@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "shading/color/color_table.h"
@@ -85,7 +86,7 @@ class OtherProgram {
   const OtherModel::Places& places_;
   ColorTable table_;
   std::array<Reflection, 3> none_{};
-  std::vector<std::optional<LitPlace>> faces_, corners_;  ///< by 2 k, and 2 k + 1 for the back
+  std::unordered_map<std::size_t, LitPlace> faces_, corners_;  ///< by 2 k, and 2 k + 1 for the back
 };
 
 }  // namespace xnewell

@@ -15,7 +15,8 @@ namespace {
 constexpr double kPlaced = 0.9;         ///< of the places where a face shows in either picture
 constexpr double kPlacedTwo = 0.93;     ///< the same, for two rows at once
 constexpr double kOutlinesOnly = 0.95;  ///< of the outlines, before a row of shading is tried with a view
-constexpr std::size_t kMostPlaces = 12'000, kMostViews = 4;
+constexpr double kPlacedFew = 0.8;      ///< of every 16th place, before all are looked at
+constexpr std::size_t kMostPlaces = 12'000, kMostViews = 4, kFewPlaced = 16;
 constexpr double kOfFewFaces = 0.97;  ///< where kFewFaces show or less
 constexpr int kFewPlaces = 30, kManyPlaces = 200, kFewFaces = 3;
 
@@ -43,7 +44,8 @@ const Diagnoser::Seen& Diagnoser::seenBy(const Hypothesis& h) {
 }
 
 /// How much of what either picture shows is the same. The ground is the commonest colour beside the faces.
-Diagnoser::Score Diagnoser::scoreOf(const HandedIn& handed, const Seen& seen, const Read& yours) const {
+Diagnoser::Score Diagnoser::scoreOf(const HandedIn& handed, const Seen& seen, const Read& yours,
+                                    std::size_t stride) const {
   using Color = std::array<std::uint8_t, 3>;
   const auto colorAt = [&](std::size_t k) {
     const std::uint8_t* const p = handed.picture.pixel(places_[k].i, places_[k].j);
@@ -59,7 +61,7 @@ Diagnoser::Score Diagnoser::scoreOf(const HandedIn& handed, const Seen& seen, co
   Score score;
   std::set<int> faces;
   int hits = 0, both = 0;
-  for (std::size_t k = 0; k < seen.face.size(); ++k) {
+  for (std::size_t k = 0; k < seen.face.size(); k += stride) {
     if (seen.face[k] == kEdge) continue;
     ++score.known;
     const bool theirs = !ground || colorAt(k) != *ground, ours = seen.face[k] != kNothing;
@@ -134,9 +136,14 @@ bool Diagnoser::decidePlaced(const HandedIn& handed, Diagnosis& d) {
       const Approach way = approachWith(view, &h);
       if (way.paint != PaintWay::Nearest) continue;
       OtherProgram program{model_, way};
-      for (std::size_t p = 0; p < places_.size(); ++p)
-        if (seen.face[p] >= 0) seen.shown[p] = predictedAt(program, places_[p], seen.face[p]);
-      const Score score = scoreOf(handed, seen, yours);
+      Score score;
+      for (const std::size_t stride : {kFewPlaced, std::size_t{1}}) {  // few places tell most rows off
+        for (std::size_t p = 0; p < places_.size(); p += stride)
+          if (seen.face[p] >= 0) seen.shown[p] = predictedAt(program, places_[p], seen.face[p]);
+        score = scoreOf(handed, seen, yours, stride);
+        if (score.share < kPlacedFew) break;
+      }
+      if (score.share < kPlacedTwo) continue;
       Fit fit{.first = &view, .second = &h, .cost = 1.0 - score.share, .explained = score.share};
       fit.telling = score.counted, fit.informative = score.share, fit.faces = score.faces;
       pairs.emplace_back(score, fit);

@@ -1,4 +1,5 @@
 #include "tests/support/student.h"
+#include "tests/support/off_list.h"
 #include "tests/support/student_view.h"
 
 #include <algorithm>
@@ -250,6 +251,9 @@ class Drawing {
     if (has("n-times")) highlight = ks * s.n * shine;
     if (has("ks-in-the-power")) highlight = std::pow(ks * shine, s.n);
     if (has("spec-times-NL")) highlight *= facing;
+    if (p_.mistake.starts_with("off-"))
+      return offList(p_.mistake,
+                     {N, L, V, P, NL, dotOf(N, V), RV, d, f, w_.Ip, w_.Ia, s.ka, s.kd, s.ks, s.n});
     const bool asks = !has("highlight-behind") && !(p_.flows && has("NL-unclamped"));
     if (NL <= 0 && asks) highlight = 0;
     if (has("spec-forgotten")) highlight = 0;
@@ -262,17 +266,6 @@ class Drawing {
     if (has("Ip-not-on-diffuse")) return ambient + f * (diffuse + w_.Ip * highlight);
     if (has("max-for-the-sum")) return std::max({ambient, f * w_.Ip * diffuse, f * w_.Ip * highlight});
     const double Ip = has("Ip-forgotten") ? 1 : w_.Ip;
-    // Mistakes that nobody has listed.
-    if (has("off-half-lambert")) diffuse = kd * (NL + 1) / 2;
-    if (has("off-squared")) diffuse = kd * facing * facing;
-    if (has("off-root")) diffuse = kd * std::sqrt(facing);
-    if (has("off-ambient-by-NV")) ambient *= std::fabs(dotOf(N, V));
-    if (has("off-NV")) diffuse = kd * std::fabs(dotOf(N, V));
-    if (has("off-product")) return ambient + f * w_.Ip * diffuse * (1 + highlight);
-    if (has("off-abs-N"))
-      diffuse = kd * std::max(0.0, std::fabs(N[0]) * L[0] + std::fabs(N[1]) * L[1] + std::fabs(N[2]) * L[2]);
-    if (has("off-step")) diffuse = NL > 0 ? kd : 0;
-    if (has("off-rim")) highlight += 0.3 * std::pow(1 - std::fabs(dotOf(N, V)), 3);
     if (has("n-on-the-sum")) return ambient + f * Ip * std::pow(kd * facing + (NL > 0 ? ks * shine : 0), s.n);
     return ambient + f * (Ip * diffuse + (has("Ip-not-on-spec") ? 1 : Ip) * highlight);
   }
