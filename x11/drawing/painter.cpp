@@ -175,6 +175,14 @@ int Painter::textRight(int right, int baseline, std::string_view utf8, std::uint
   return x;
 }
 
+void Painter::haloed(int x, int baseline, std::string_view utf8, std::uint8_t cell, std::uint8_t rim) {
+  Painter below = *this;
+  below.writing_ = nullptr;
+  for (const int dx : {-1, 0, 1})
+    for (const int dy : {-1, 0, 1}) below.text(x + dx, baseline + dy, utf8, rim);
+  text(x, baseline, utf8, cell);
+}
+
 void Painter::tick(int x, int y, std::uint8_t cell) { stamp(*this, x, y, kTick, cell); }
 void Painter::cross(int x, int y, std::uint8_t cell) { stamp(*this, x, y, kCross, cell); }
 

@@ -125,6 +125,9 @@ class Painter {
   int textRight(int right, int baseline, std::string_view utf8, std::uint8_t cell,
                 Voice voice = Voice::Plain);
 
+  /// Draws a text with a rim, which hides less of a picture than a plate would.
+  void haloed(int x, int baseline, std::string_view utf8, std::uint8_t cell, std::uint8_t rim);
+
   /// Marks, placed by their upper left corner. A tick is 7 x 7, a cross 8 x 7; a triangle is `depth` from
   /// base to tip and 2 depth - 1 along its base.
   void tick(int x, int y, std::uint8_t cell);

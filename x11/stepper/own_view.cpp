@@ -19,13 +19,13 @@ namespace xnewell {
 void SortView::sortOneself(bool on) {
   SortState& view = player_.view;
   view.playing = view.asking = false;
-  if (!run()) return;
   if (!on) {
-    player_.run = std::move(newell_);
+    if (newell_) player_.run = std::move(newell_);  // else it is recorded when the view is shown
     view.own.reset();
-    goTo(newellStep_);
-    return;
+    view.step = newellStep_;
+    return goTo(newellStep_);
   }
+  if (!run()) return;
   newellStep_ = view.step;
   newell_ = std::move(player_.run);
   view.own.emplace();

@@ -19,6 +19,8 @@ void placeSidesAndList(SortLayout& at, int x, int width, int upper) {
   const int top = at.side.y + at.side.height + (at.compact ? 30 : 42);
   const int rows = (at.counts.y - (at.compact ? 4 : 8) - top) / at.line - 1;  // the last line has words
   at.list = {x, top, width, rows * at.line};
+  const int kept = std::max(3, rows * 2 / 5) * at.line;
+  at.ring = {x, top + kept + at.line, width, at.list.height - kept};
 }
 
 void placeCounts(SortLayout& at, int x, int upper) {
@@ -84,6 +86,12 @@ SortLayout layoutOfSort(const Rect& body, bool shut, bool own) {
     x += width + (shut ? 14 : 20);
   }
   x = at.finding.x + 13;
+  if (shut) {
+    const int below = at.finding.y + at.finding.height + at.line;
+    constexpr int kLeast = 70;
+    if (const int room = at.counts.y - at.line - below; room >= kLeast)
+      at.ring = {right, below, at.finding.width, room};
+  }
   int y = at.finding.y + first;
   for (std::size_t k = 0; k < kActs.size(); ++k) {
     const int width = kKeyCap + 6 + textWidth(kActs[k]);

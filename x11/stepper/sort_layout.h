@@ -43,6 +43,7 @@ struct SortLayout : TransportLayout {
   int heading = 0;  ///< the height of the table's heading
   Rect side;        ///< the side view; the list's bars stand below it; empty if `shut`
   Rect list;        ///< rows of `line` height, all of the column's width; empty if `shut`
+  Rect ring;        ///< of a cycle: it has the lower rows of the list, or the room below the finding
   Rect counts;
   std::array<ControlPlace, kToggleCount> toggles;
   [[nodiscard]] int rows() const { return list.height / line; }

@@ -82,8 +82,8 @@ class Loupe {
         scale_{std::min((at.width - 2 * kAroundLabels) / focus.width(),
                         (at.height - 2 * kAbove) / focus.height())} {}
 
-  /// Otherwise it would only hide a part of the picture.
-  [[nodiscard]] bool enlarges() const { return scale_ * paint_.unit() > pen_.scale(); }
+  /// By enough that it shows more than the part of the picture that it hides.
+  [[nodiscard]] bool enlarges() const { return scale_ * paint_.unit() >= 1.5 * pen_.scale(); }
 
   void draw() {
     const int P = pen_.P(), Q = pen_.Q();
@@ -194,14 +194,13 @@ class Loupe {
 
   void drawPieces() {
     const int behind = pen_.run.fragments().pieceOf(pen_.run.replay().splits() - 1);
-    const std::array names{"a", "b"};
     for (int k = 0; k < 2; ++k) {
       const Outline piece = figure(behind + k);
       const Place middle = middleOf(piece);
       if (!isInside(middle) || leastSide(piece) < kRoomForLetter) continue;
-      const int x = static_cast<int>(middle.x), y = static_cast<int>(middle.y);
-      pen_.paint.fillRect({x - 5, y - 7, 11, 15}, pen_(pen_.cut == pen_.P() ? Cell::P : Cell::Q));
-      pen_.bold(x - 2, y + 4, names[k], Cell::White);
+      const std::string name = pen_.run.shortName(behind + k);
+      paint_.haloed(static_cast<int>(middle.x) - textWidth(name) / 2, static_cast<int>(middle.y) + 4, name,
+                    pen_(Cell::Ink), pen_(Cell::White));
     }
   }
 
@@ -258,9 +257,7 @@ class Loupe {
         tries, [&](const Rect& r) { return keepsOff(labels_, r) && keepsOff(dots_, r); });
     if (free == tries.end()) return;  // a number on a corner could not be told from its neighbour's
     labels_.push_back(*free);
-    for (const int dx : {-1, 0, 1, 2})
-      for (const int dy : {-1, 0, 1}) paint_.text(free->x + dx, free->y + 10 + dy, text, pen_(Cell::White));
-    paint_.text(free->x, free->y + 10, text, pen_(cell));
+    paint_.haloed(free->x, free->y + 10, text, pen_(cell), pen_(Cell::White));
   }
 
   SortPen& pen_;

@@ -25,6 +25,7 @@ void placeControls(ControlList& list, const SortLayout& at, const SortState& vie
     place(SortPart::Answer, k, at.answers[k]);
   for (int k = 0; view.own && k < static_cast<int>(kActs.size()); ++k) place(SortPart::Act, k, at.acts[k]);
   for (int k = 0; view.own && k < kOwnTests; ++k) place(SortPart::Test, k, at.testRow(k));
+  for (int k = 0; k < static_cast<int>(drawn.ring.size()); ++k) place(SortPart::Ring, k, drawn.ring[k].area);
   for (int k = 0; k < static_cast<int>(drawn.rows.size()); ++k)
     if (drawn.rows[k] >= 0)
       place(SortPart::Row, k, {at.list.x, at.list.y + k * at.line, at.list.width, at.line});
@@ -32,9 +33,13 @@ void placeControls(ControlList& list, const SortLayout& at, const SortState& vie
 
 }  // namespace
 
-SortDrawn drawSortPage(Painter paint, const SortLayout& at, SortRun& run, const SortState& view,
+SortDrawn drawSortPage(Painter paint, const SortLayout& layout, SortRun& run, const SortState& view,
                        const CellPlan& plan, ControlList* list) {
   run.goTo(view.step);
+  SortLayout at = layout;
+  std::vector<RingLink> ring;
+  if (!view.asking && !at.ring.empty() && (at.shut || !view.code)) ring = run.ring();
+  if (!ring.empty() && !at.shut) at.list.height -= at.ring.height;
   std::optional<Event> event = run.asTested();
   const bool sorting = view.own && view.step == run.steps();
   if (sorting && view.own->P >= 0)
@@ -69,6 +74,7 @@ SortDrawn drawSortPage(Painter paint, const SortLayout& at, SortRun& run, const 
   } else if (!at.shut) {
     drawn.rows = drawSidesAndList(pen);
   }
+  if (!ring.empty()) drawn.ring = drawRing(pen, ring);
   drawCounts(pen);
   pen.rule(at.body.x, at.rule, at.body.width);
   drawTransport(pen);

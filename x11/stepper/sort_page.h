@@ -13,7 +13,7 @@ namespace xnewell {
 
 /// The name of a control of the page beside those of transport.h: its part of the page, and its index there.
 /// The buttons there are 20 to 26; rows have the last numbers, as a page may have any number of them.
-enum class SortPart { Toggle = 10, Answer = 30, Act = 40, Test = 50, Row = 60 };
+enum class SortPart { Toggle = 10, Answer = 30, Act = 40, Test = 50, Ring = 60, Row = 100 };
 [[nodiscard]] constexpr ControlId sortId(SortPart part, int index = 0) {
   return {0, static_cast<int>(part) + index};
 }

@@ -55,6 +55,8 @@ Rect drawLoupe(SortPen& pen);
 void drawTests(SortPen& pen);
 void drawFinding(SortPen& pen);
 std::vector<int> drawSidesAndList(SortPen& pen);
+/// Draws the names of a cycle in a ring, with the tests that made it.
+std::vector<RingPlace> drawRing(SortPen& pen, const std::vector<RingLink>& ring);
 void drawCounts(SortPen& pen);
 void drawTransport(SortPen& pen);
 void drawTimeline(SortPen& pen);

@@ -57,14 +57,24 @@ void markFalse(SortPen& pen, Painter fine, const Rect& samples, const auto& plac
   }
 }
 
-/// Draws a letter in the middle of a piece that has room for it.
-void letter(SortPen& pen, Painter& paint, const Samples& where, std::string_view text, Cell cell) {
-  constexpr int kLeast = 300;  // of units
-  if (where.count < kLeast * paint.unit() * paint.unit()) return;
-  const Rect plate{where.x - 5, where.y - 7, 11, 15};
-  paint.fillRect(plate, pen(cell));
-  paint.frame(plate, pen(Cell::Black));
-  paint.text(plate.x + 3, plate.y + 11, text, pen(Cell::White));
+/// Writes the names of polygons, painted or not, where the finished picture shows enough of them. So no name
+/// is on another polygon.
+void drawNames(SortPen& pen, Painter& paint, const std::array<Rect, 2>& taken) {
+  constexpr int kAround = 2, kHigh = 10;
+  std::vector<int> ids = pen.run.waiting();
+  for (int n = 0; n < pen.run.replay().painted(); ++n) ids.push_back(pen.run.paintedId(n));
+  const double samples = paint.unit() / pen.scale();
+  for (const int id : ids) {
+    const std::string name = pen.run.shortName(id);
+    const glm::dvec2 room{textWidth(name) + 2 * kAround, kHigh + 2 * kAround};
+    const auto corner = pen.run.roomFor(id, glm::ivec2{glm::ceil(samples * room)});
+    if (!corner) continue;
+    const Rect& at = pen.at.picture;
+    const Rect place{at.x + static_cast<int>(corner->x / samples) + kAround,
+                     at.y + static_cast<int>(corner->y / samples) + kAround, textWidth(name), kHigh};
+    if (std::ranges::any_of(taken, [&](const Rect& r) { return !intersection(r, place).empty(); })) continue;
+    paint.haloed(place.x, place.y + 9, name, pen(Cell::WellText), pen(Cell::Well));
+  }
 }
 
 void markPair(SortPen& pen, Painter& paint, const auto& placed) {
@@ -83,12 +93,10 @@ void markPair(SortPen& pen, Painter& paint, const auto& placed) {
   if (pen.cut >= 0) {
     const Cell cell = cutsQ ? Cell::Q : Cell::P;
     const int behind = pen.run.fragments().pieceOf(pen.run.replay().splits() - 1);
-    const std::array names{"a", "b"};
     for (int k = 0; k < 2; ++k) {
-      const Samples where = tinted(behind + k, cell, k == 0 ? Stipple::Eighth : Stipple::Quarter);
+      tinted(behind + k, cell, k == 0 ? Stipple::Eighth : Stipple::Quarter);
       outline(fine, placed(behind + k), pen(Cell::Black), {4});
       outline(fine, placed(behind + k), pen(cell), {2});
-      letter(pen, paint, where, names[k], cell);
     }
     if (!cutsQ) return;
   }
@@ -98,8 +106,8 @@ void markPair(SortPen& pen, Painter& paint, const auto& placed) {
 }
 
 /// Writes words at the top of the picture, or at its foot if they would hide a part of P or Q and the foot is
-/// free.
-void drawWords(SortPen& pen, const std::string& words, const Rect& loupe) {
+/// free. Returns their place.
+Rect drawWords(SortPen& pen, const std::string& words, const Rect& loupe) {
   constexpr int kInset = 10, kHeight = 14;
   const Rect& at = pen.at.well;
   const auto placeOf = [&](int y) { return Rect{at.x + kInset, at.y + y, textWidth(words), kHeight}; };
@@ -111,11 +119,8 @@ void drawWords(SortPen& pen, const std::string& words, const Rect& loupe) {
   };
   const Rect top = placeOf(7), foot = placeOf(at.height - kHeight - 6);
   const Rect place = hides(top) && !hides(foot) ? foot : top;
-  const int baseline = place.y + 11;
-  // A halo hides less of the picture than a plate would.
-  for (const int dx : {-1, 0, 1})
-    for (const int dy : {-1, 0, 1}) pen.paint.text(place.x + dx, baseline + dy, words, pen(Cell::Well));
-  pen.paint.text(place.x, baseline, words, pen(Cell::WellText));
+  pen.paint.haloed(place.x, place.y + 11, words, pen(Cell::WellText), pen(Cell::Well));
+  return place;
 }
 
 }  // namespace
@@ -166,7 +171,7 @@ Rect drawSortPicture(SortPen& pen) {
                                       (outlined                       ? "; the rest in outline"
                                        : all - painted > kMostWaiting ? "; the rest is too much to outline"
                                                                       : "");
-  drawWords(pen, words, loupe);
+  drawNames(pen, paint, {loupe, drawWords(pen, words, loupe)});
   return loupe;
 }
 

@@ -1,9 +1,11 @@
 #include "x11/stepper/sort_run.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
+#include "depthsort/fragment_spans.h"
 #include "x11/stepper/fragment_tint.h"
 
 namespace xnewell {
@@ -115,6 +117,10 @@ std::string SortRun::part(int id) const {
   return "of" + face.substr(face.find(' '));
 }
 
+std::string SortRun::shortName(int id) const {
+  return !named_ && fragments().hasName(id) ? fragments().name(id) : number(id);
+}
+
 std::string SortRun::name(int id) const {
   if (const NamedRun::Polygon* const polygon = named(id)) return polygon->name;
   if (named_) return named_->nameOfFace(fragments().face(id).number);
@@ -162,6 +168,79 @@ std::optional<Event> SortRun::asTested() const {
   const Event* const tests = comparisonAt(sorted_, replay_.step());
   if (tests && tests->P == event->Q && tests->Q == event->P) std::swap(named.P, named.Q);
   return named;
+}
+
+std::vector<RingLink> SortRun::ring() const {
+  using Kind = Event::Kind;
+  const std::vector<Event>& events = sorted_.events;
+  int at = replay_.step();
+  for (constexpr std::array kBreaking{Kind::Impossible, Kind::Vain, Kind::Void, Kind::Split};
+       at > 0 && std::ranges::find(kBreaking, events[at - 1].kind) != kBreaking.end();)
+    --at;
+  if (at == 0 || events[at - 1].kind != Kind::Cycle) return {};
+  const auto testBefore = [&](int step) {
+    return static_cast<int>(comparisonAt(sorted_, step) - events.data()) + 1;
+  };
+  // Each move says that its Q is painted before its P. From P, the last that was moved, they lead back to Q.
+  const Event& cycle = events[at - 1];
+  std::vector<RingLink> ring;
+  int id = cycle.P;
+  for (int step = at; id != cycle.Q; --step)
+    if (const Event& e = events[step - 1]; e.kind == Kind::Move && e.Q == id)
+      ring.push_back({.id = id, .step = testBefore(step)}), id = e.P;
+  ring.push_back({.id = id, .step = testBefore(at)});
+
+  const Event& now = *replay_.event();
+  const auto linkOf = [&](int member) { return std::ranges::find(ring, member, &RingLink::id); };
+  if (now.kind == Kind::Void) linkOf(now.Q)->by = RingLink::By::Open;
+  if (now.kind != Kind::Split) return ring;
+  const auto cut = linkOf(now.P);
+  const auto hides = [&](int nearer, int farther) {
+    const CommonArea both = explainer_.commonArea(nearer, farther);
+    return both.corners > 0 && both.aheadOfQ.high > both.doubt;
+  };
+  const int after = (cut + 1 == ring.end() ? ring.front() : cut[1]).id,
+            before = (cut == ring.begin() ? ring.back() : cut[-1]).id;
+  const auto stays = [&](int piece) { return hides(piece, before) && hides(after, piece); };
+  int first = fragments().pieceOf(replay_.splits() - 1), second = first + 1;
+  if (stays(second) || (hides(second, before) && !stays(first))) std::swap(first, second);
+  (cut == ring.begin() ? ring.back() : cut[-1]).by = RingLink::By::Planes;
+  cut->id = first, cut->by = RingLink::By::Planes;
+  if (stays(first)) return ring;  // no cut that was tried opens it
+  cut->by = RingLink::By::Open;
+  ring.insert(cut + 1, {second, RingLink::By::Planes, cut->step});
+  return ring;
+}
+
+std::optional<glm::ivec2> SortRun::roomFor(int id, glm::ivec2 size) {
+  const auto [known, isNew] = rooms_.try_emplace({id, size.x, size.y});
+  if (!isNew) return known->second;
+  const int width = picture_.settings().width, height = picture_.settings().height;
+  if (seen_.empty()) seen_ = picture_.seen(0, height).faces;
+  const Fragment fragment = fragmentOf(scene(), sorted_, id);
+  std::vector<int> high(width), last(width, -2);  // for each column: rows that end in row `last`
+  std::vector<glm::ivec2> corners;
+  glm::dvec2 sum{0.0};
+  double samples = 0;
+  forEachSpan(scene(), sorted_, fragment, width, height, [&](int row, int from, int to) {
+    int wide = 0;
+    for (int column = from; column < to; ++column) {
+      if (seen_[std::size_t(row) * width + column] != fragment.face) {
+        wide = 0;
+        continue;
+      }
+      sum += glm::dvec2{column, row}, ++samples;
+      high[column] = last[column] == row - 1 ? high[column] + 1 : 1, last[column] = row;
+      wide = high[column] < size.y ? 0 : wide + 1;
+      if (wide >= size.x) corners.emplace_back(column + 1 - size.x, row + 1 - size.y);
+    }
+  });
+  const auto away = [&](glm::ivec2 corner) {
+    const glm::dvec2 by = glm::dvec2{corner} + glm::dvec2{size - 1} / 2.0 - sum / samples;
+    return by.x * by.x + by.y * by.y;
+  };
+  if (!corners.empty()) known->second = *std::ranges::min_element(corners, {}, away);
+  return known->second;
 }
 
 StepAbout SortRun::about(int step) const {

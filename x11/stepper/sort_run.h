@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -18,6 +19,16 @@ struct StepAbout {
   Event::Kind kind = Event::Kind::Take;
   int P = -1, Q = -1;  ///< numbers of faces; -1 if there is no Q
   bool operator==(const StepAbout&) const = default;
+};
+
+/// A polygon of a cycle, which must be painted before the next one; the last one before the first.
+struct RingLink {
+  int id;  ///< of a fragment
+  /// What says so: a test of the run; or for a piece, which the run has not tested yet, the planes. Or the
+  /// ring is open here: the cut is between two pieces, or a contact does not count.
+  enum class By { Test, Planes, Open } by = By::Test;
+  int step = 0;  ///< of the test; for a piece, of the polygon that was cut
+  bool operator==(const RingLink&) const = default;
 };
 
 /// The recorded textbook run of a picture's depth sort, with all that the stepper asks about its steps.
@@ -48,6 +59,8 @@ class SortRun {
   /// The event of the present step, with P and Q named as in the tests that led to it. Of two polygons that
   /// pass through each other the smaller is cut, and that may be the Q of the tests. Nothing at the start.
   [[nodiscard]] std::optional<Event> asTested() const;
+  /// The cycle that the present step meets or breaks, from its P on; empty if it does neither.
+  [[nodiscard]] std::vector<RingLink> ring() const;
   /// What another program has run; null if the run is ours, or made by hand.
   [[nodiscard]] const JudgedRun* theirs() const { return theirs_.get(); }
   /// What is false at the present step of their run. What may follow from another step comes last.
@@ -66,6 +79,8 @@ class SortRun {
   /// A fragment's number and part in the list: those of Fragments, or what another program calls its piece.
   [[nodiscard]] std::string number(int id) const;
   [[nodiscard]] std::string part(int id) const;
+  /// What the picture and the ring call it: its own name, or else its number.
+  [[nodiscard]] std::string shortName(int id) const;
   /// What sentences call it: as judge does in another program's run, or else `85 body`.
   [[nodiscard]] std::string name(int id) const;
   /// True if no line of their run has this step: they have not written what they took.
@@ -82,6 +97,9 @@ class SortRun {
   [[nodiscard]] std::vector<int> waiting() const;
   /// The id of the n-th fragment that is painted.
   [[nodiscard]] int paintedId(int n) const;
+  /// Where words of this size can stand on what the finished picture shows of a fragment, all in samples: the
+  /// upper left corner that brings them nearest to its middle. Nothing if there is no room.
+  [[nodiscard]] std::optional<glm::ivec2> roomFor(int id, glm::ivec2 size);
   /// What a step is about; 1 <= step <= steps().
   [[nodiscard]] StepAbout about(int step) const;
   /// The first step of the wanted kind with P and Q; or else of any kind with both; or else of any kind with
@@ -109,6 +127,8 @@ class SortRun {
   Replay replay_;
   SoFar soFar_;
   std::vector<Range> zExtents_;
+  std::vector<int> seen_;  ///< the face at each sample; made when it is first needed
+  std::map<std::array<int, 3>, std::optional<glm::ivec2>> rooms_;  ///< of roomFor()
 };
 
 }  // namespace xnewell

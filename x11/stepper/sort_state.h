@@ -46,10 +46,16 @@ struct SortState {
   bool operator==(const SortState&) const = default;
 };
 
+/// A name on the ring of a cycle, or an arrow that leads to the step of a test.
+struct RingPlace {
+  Rect area;
+  int id, step;  ///< of a name: the fragment; of an arrow: -1, and the step
+};
 /// Where things were drawn, to resolve clicks.
 struct SortDrawn {
   Rect loupe;             ///< empty if there is none
   std::vector<int> rows;  ///< fragment id of each row of the list, -1 for none
+  std::vector<RingPlace> ring = {};
 };
 
 }  // namespace xnewell

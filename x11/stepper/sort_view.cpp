@@ -50,6 +50,9 @@ Controls SortView::controls() {
   for (int k = 0; k < static_cast<int>(places_.rows.size()); ++k)
     if (const int id = places_.rows[k]; id >= 0)
       add(SortPart::Row, k, [this, id] { this->view().own ? chooseClicked(id) : goToFaceOf(id); });
+  for (int k = 0; k < static_cast<int>(places_.ring.size()); ++k)
+    add(SortPart::Ring, k,
+        [this, to = places_.ring[k]] { to.id >= 0 ? goToFaceOf(to.id) : player_.moveTo(to.step); });
   if (view.own) addOwnControls(all);
   return all;
 }

@@ -332,6 +332,11 @@ std::vector<std::string> stepAsLines(const SortRun& run, const SortState& view) 
     if (view.own->Q >= 0) lines.back() += ", Q " + run.name(view.own->Q);
     if (!finding.aside.empty()) lines.push_back(finding.aside);
   }
+  std::string cycle;
+  for (const RingLink& link : run.ring())
+    cycle += (cycle.empty() ? "painted before the next: " : ", ") + run.shortName(link.id) +
+             (link.by == RingLink::By::Test ? " (step " + std::to_string(link.step) + ")" : "");
+  if (!cycle.empty()) lines.push_back(cycle);
   lines.push_back(finding.bold);
   if (!finding.why.empty()) lines.push_back(finding.why);
   return lines;

@@ -141,6 +141,18 @@ struct StoryWindow : Workbench {
       finish();
     }
   }
+  /// What is written so, last; key caps are pressed.
+  void click(const std::string& words) {
+    const auto one = std::find_if(writing().rbegin(), writing().rend(), [&](const Written& written) {
+      return written.words == words && written.pitch > 0;
+    });
+    ASSERT_NE(one, writing().rend()) << words;
+    const Rect at = one->place * layout().unit;
+    hover(at.x + at.width / 2, at.y + at.height / 2);
+    (void)grab(at.x + at.width / 2, at.y + at.height / 2);
+    settle();
+    finish();
+  }
   std::string copied;
 };
 
@@ -194,6 +206,12 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
       window_ = std::make_unique<StoryWindow>(wordsOf(rest));
     } else if (verb == "press" && window_) {
       window_->presses(wordsOf(rest));
+    } else if (verb == "click" && window_) {
+      window_->click(unescaped(rest));
+    } else if (verb == "shows" && window_) {
+      EXPECT_TRUE(std::ranges::any_of(window_->writing(), [&](const Written& one) {
+        return matches(one.words, rest);
+      })) << rest;
     } else if (verb == "drag" && window_) {  // the picture, from its middle
       const Rect at = window_->layout().picture;
       const int x = at.x + at.width / 2, y = at.y + at.height / 2;
