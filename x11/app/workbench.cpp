@@ -13,6 +13,7 @@
 #include "x11/stepper/sort_view.h"
 #include "x11/trade/trade_view.h"
 #include "x11/viewing/viewing_view.h"
+#include "x11/views/color_strip.h"
 #include "x11/window/colors_view.h"
 #include "x11/window/mach_bands_view.h"
 #include "x11/window/no_effect.h"
@@ -302,6 +303,8 @@ Subject Workbench::subject() const {
 }
 
 bool Workbench::grab(int x, int y) {
+  if (const auto cell = cellInStrip(layout_.strip, x / layout_.unit, y / layout_.unit))
+    if (line_.pick(*cell)) return false;
   if (const std::optional<Pointed> at = pressableAt(x / layout_.unit, y / layout_.unit)) {
     if (at->key) {
       press(*at->key);

@@ -642,6 +642,12 @@ std::vector<Pressed> draw(Pen& pen, const Page& page, const Rect& area, int pitc
 }
 
 Question::Judged Question::judged(const std::string& text) const {
+  constexpr std::string_view kCell = "cell ";
+  if (lands && text.starts_with(kCell)) {
+    const std::optional<int> cell = wholeNumber(text.substr(kCell.size()));
+    if (!cell || *cell < 0 || *cell > 255) return {.complaint = "Type a cell: a whole number from 0 to 255."};
+    return {.isRight = *cell == lands(value) || *cell == lands(written), .lands = cell};
+  }
   const std::optional<double> typed = typedNumber(text);
   if (!typed || !std::isfinite(*typed)) return {.complaint = "Type a number."};
   const std::size_t point = std::min(text.find('.'), text.size() - 1),
@@ -652,7 +658,7 @@ Question::Judged Question::judged(const std::string& text) const {
   const double allowed =
       std::max(0.5 * std::pow(10.0, -shown) * (1.0 + 1e-9), 0.75 * std::pow(10.0, -decimals));
   return {.isRight = std::min(std::abs(*typed - value), std::abs(*typed - written)) <= allowed,
-          .complaint = {}};
+          .lands = lands ? std::optional{lands(*typed)} : std::nullopt};
 }
 
 }  // namespace xnewell::page

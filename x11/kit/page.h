@@ -131,15 +131,18 @@ struct Section {
   }
 };
 
-/// A value that can be asked for. It is right within half of the last digit that is typed.
+/// A value that can be asked for. It is right within half of the last digit that is typed; if it picks a
+/// cell, that cell is right, too.
 struct Question {
   int rank = 0;
   std::string name;
   double value = 0, written = 0;  ///< as the page writes it, where terms are rounded to add up
   int decimals = 4;
+  std::function<int(double)> lands = {};  ///< the cell that such a value picks
   struct Judged {
     bool isRight = false;
-    std::string complaint;  ///< if the text is no number, or has too few digits
+    std::string complaint = {};     ///< if the text is no number, or has too few digits
+    std::optional<int> lands = {};  ///< the cell of the answer
   };
   [[nodiscard]] Judged judged(const std::string& text) const;
 };

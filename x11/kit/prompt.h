@@ -15,6 +15,7 @@ struct Question {
   /// Takes the text. Returns "", or a sentence that says what is wrong; then the user can correct the text.
   std::function<std::string(const std::string&)> take;
   std::function<void()> dropped = {};  ///< called if the line is closed without an answer
+  bool cells = false;                  ///< a click on the strip answers `cell 178`
   bool ofPicture = false;              ///< the line closes when another picture is shown
 };
 

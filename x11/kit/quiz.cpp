@@ -1,28 +1,42 @@
 #include "x11/kit/quiz.h"
 
 #include <cctype>
+#include <memory>
 #include <utility>
 
 #include "x11/drawing/wording.h"
 
 namespace xnewell {
 
+void askNumber(Prompt& host, const page::Question& asked, Score& score,
+               std::function<void(std::optional<int>)> tried, std::function<void(bool)> tell) {
+  const auto isFirst = std::make_shared<bool>(true);
+  host.ask({.asks = "predict " + asked.name + (asked.decimals > 0 ? ", to two decimals at least" : "") +
+                    (asked.lands ? ", or click its cell on the strip" : ""),
+            .take =
+                [asked, isFirst, &score, tried = std::move(tried), tell](const std::string& text) {
+                  const auto answer = asked.judged(text);
+                  if (!answer.complaint.empty()) return answer.complaint;
+                  if (std::exchange(*isFirst, false)) score.add(answer.isRight);
+                  tried(answer.lands);
+                  if (answer.isRight) return tell(true), std::string{};
+                  return "Not so: " + text +
+                         (answer.lands ? " is where the strip has a mark" : std::string{" is not right"}) +
+                         ". Try again, or press Esc to see it.";
+                },
+            .dropped = [tell] { tell(false); },
+            .cells = asked.lands != nullptr,
+            .ofPicture = true});
+}
+
 void Quiz::ask(const char* none) {
   if (now_.empty()) return host_.notify(none);
   const page::Question asked = now_[next_ % now_.size()];
-  hiding_.from = asked.rank, tried_ = false;
+  hiding_.from = asked.rank, landed_.reset();
   changed_();
-  host_.ask({.asks = "predict " + asked.name + (asked.decimals > 0 ? ", to two decimals at least" : ""),
-             .take = [this, asked](const std::string& text) -> std::string {
-               const auto answer = asked.judged(text);
-               if (!answer.complaint.empty()) return answer.complaint;
-               if (!std::exchange(tried_, true)) score_.add(answer.isRight);
-               if (!answer.isRight) return text + " is not right. Try again, or press Esc to see it.";
-               tell(asked, "Right: ");
-               return {};
-             },
-             .dropped = [this, asked] { tell(asked, ""); },
-             .ofPicture = true});
+  askNumber(
+      host_, asked, score_, [this](std::optional<int> cell) { landed_ = cell, changed_(); },
+      [this, asked](bool isRight) { tell(asked, isRight ? "Right: " : ""); });
 }
 
 void Quiz::tell(const page::Question& asked, const std::string& before) {

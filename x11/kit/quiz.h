@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "x11/kit/page.h"
@@ -8,6 +9,11 @@
 #include "x11/kit/score.h"
 
 namespace xnewell {
+
+/// Asks for a value until it is right or given up; the first try counts. `tried` gets the cell that an answer
+/// picks, and `tell` whether the last one was right. `score` outlives the question.
+void askNumber(Prompt& host, const page::Question& asked, Score& score,
+               std::function<void(std::optional<int>)> tried, std::function<void(bool)> tell);
 
 /// Asks for the values of a page, one after the other. The one that is asked is hidden, with all that follow
 /// from it, until the student has typed it or given up; those after it stay hidden, so that they can be
@@ -22,10 +28,12 @@ class Quiz {
   /// Asks the next one. `none` is the notice if there is none.
   void ask(const char* none);
   /// Hides nothing; the next one to ask stays, or is the first again.
-  void showAll() { hiding_ = {}, changed_(); }
+  void showAll() { hiding_ = {}, landed_.reset(), changed_(); }
   void startAgain() { next_ = 0, showAll(); }
   [[nodiscard]] page::Hiding hiding() const { return hiding_; }
   [[nodiscard]] bool isHiding() const { return hiding_.from > 0; }
+  /// The cell that the last answer picks.
+  [[nodiscard]] std::optional<int> landed() const { return landed_; }
 
  private:
   /// Shows the value, and says what it is.
@@ -36,7 +44,7 @@ class Quiz {
   std::vector<page::Question> now_;
   page::Hiding hiding_;
   std::size_t next_ = 0;
-  bool tried_ = false;
+  std::optional<int> landed_;
   Score score_;
 };
 

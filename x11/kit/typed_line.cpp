@@ -16,6 +16,13 @@ void TypedLine::cancel() {
   if (dropped && dropped->dropped) dropped->dropped();
 }
 
+bool TypedLine::pick(int cell) {
+  if (!question_ || !question_->cells) return false;
+  question_->text = "cell " + std::to_string(cell);
+  press({NamedKey::Return});
+  return true;
+}
+
 std::optional<Typed> TypedLine::typed() const {
   if (!question_) return std::nullopt;
   return Typed{question_->asks, question_->text, complaint_, !question_->offers.empty()};

@@ -20,6 +20,8 @@ class TypedLine {
  public:
   void ask(Question question);
   void cancel();
+  /// The user picks a cell. Returns false if no question wants one.
+  [[nodiscard]] bool pick(int cell);
   /// Another picture is shown.
   void leavePicture() {
     if (question_ && question_->ofPicture) cancel();

@@ -39,7 +39,42 @@ glm::dvec3 rightOne(Mistake mistake, const glm::dvec3& v, glm::dvec3 EquationVec
   return taken(rowOf(mistake), {v, v, v}).*which;  // each changes a sign, or nothing
 }
 
+/// A vector: its end stands at `from` + (x, -y), and it is dashed where it points away.
+void drawArrow(Painter& paint, const Rect& area, glm::ivec2 from, const glm::dvec3& v, std::string_view name,
+               std::uint8_t cell, std::optional<std::uint8_t> rim = {}) {
+  const auto onPaper = [](double along, int start) { return start + static_cast<int>(std::lround(along)); };
+  const int x = onPaper(v.x, from.x), y = onPaper(-v.y, from.y), thick = name == "N" ? 2 : 1;
+  if (rim) paint.line(from.x, from.y, x, y, *rim, {.thickness = thick + 2}), paint.disc(x, y, 3, *rim);
+  paint.line(from.x, from.y, x, y, cell,
+             {.thickness = thick, .on = v.z < 0.0 ? 3 : 1, .off = v.z < 0.0 ? 3 : 0});
+  paint.disc(x, y, 2, cell);
+  const double along = std::max(1e-9, std::hypot(v.x, v.y));
+  const int left = std::clamp(onPaper(9 * v.x / along, x) - 3, area.x + 2, area.x + area.width - 9),
+            baseline = std::clamp(onPaper(-9 * v.y / along, y) + 4, area.y + 11, area.y + area.height - 3);
+  if (rim)
+    paint.haloed(left, baseline, name, cell, *rim);
+  else
+    paint.text(left, baseline, name, cell, Voice::Bold);
+}
+
 }  // namespace
+
+void drawVectors(Pen& pen, const Rect& area, glm::ivec2 place, const PixelStory& story,
+                 const ExplainedEquation& at) {
+  if (at.lights.empty()) return;
+  Painter paint = pen.paint.within(area);
+  const glm::dmat3 seen = vrcRotation(story.picture.camera().view);
+  const auto arrow = [&](const glm::dvec3& world, std::string_view name) {
+    drawArrow(paint, area, place, seen * unit(world) * (area.height / 5.0), name, pen(Cell::White),
+              pen(Cell::Black));
+  };
+  const ExplainedLight& light = at.lights.front();
+  const Form form = story.picture.settings().light.form;
+  if (form != Form::Tutorial && light.R != glm::dvec3{0.0})
+    arrow(light.R, form == Form::Textbook ? "R" : "H");
+  arrow(light.L, "L");
+  arrow(at.N, "N");
+}
 
 void drawNeighbourhood(Pen& pen, const Rect& area, const PixelStory& story, int face) {
   Painter& paint = pen.paint;
@@ -117,16 +152,8 @@ void drawBall(Pen& pen, const Rect& area, const PixelStory& story, const Explana
   const auto onPaper = [](double v, int from) { return from + static_cast<int>(std::lround(v)); };
   const int px = onPaper(radius * up.x, cx), py = onPaper(-radius * up.y, cy);
   const int reach = py - area.y - 14;
-  const auto arrow = [&](const glm::dvec3& world, const std::string& name, Cell cell) {
-    const glm::dvec3 v = turned * unit(world);
-    const int x = onPaper(reach * v.x, px), y = onPaper(-reach * v.y, py);
-    paint.line(px, py, x, y, pen(cell),
-               {.thickness = name == "N" ? 2 : 1, .on = v.z < 0.0 ? 3 : 1, .off = v.z < 0.0 ? 3 : 0});
-    paint.disc(x, y, 2, pen(cell));
-    const double along = std::max(1e-9, std::hypot(v.x, v.y));
-    paint.text(std::clamp(onPaper(9 * v.x / along, x) - 3, area.x + 2, area.x + area.width - 9),
-               std::clamp(onPaper(-9 * v.y / along, y) + 4, area.y + 11, area.y + area.height - 3), name,
-               pen(cell), Voice::Bold);
+  const auto arrow = [&](const glm::dvec3& world, std::string_view name, Cell cell) {
+    drawArrow(paint, area, {px, py}, turned * unit(world) * double(reach), name, pen(cell));
   };
   arrow(at.V, "V", Cell::WellText);
   if (!at.lights.empty()) {

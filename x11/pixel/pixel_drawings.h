@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 
 #include "shading/explain/explain.h"
 #include "x11/drawing/pen.h"
@@ -34,6 +35,11 @@ struct BallTurn {
 /// Where the cells hold single colours, the ball has only an outline.
 void drawBall(Pen& pen, const Rect& area, const PixelStory& story, const Explanation& e,
               const ExplainedEquation& at, int channel, const BallTurn& turn);
+
+/// N, the L and R of the first light in the picture, as arrows of one length seen along the view's axis, from
+/// the place of an equation.
+void drawVectors(Pen& pen, const Rect& area, glm::ivec2 place, const PixelStory& story,
+                 const ExplainedEquation& at);
 
 /// A bar of length 1: ambient light dark, diffuse dotted, specular hatched; what exceeds 1 is red.
 void drawTerms(Pen& pen, const Rect& area, const std::array<double, 3>& terms);

@@ -281,7 +281,8 @@ Section historyPart(const PixelStory& story, int chosen) {
              : "",
          8);
   if (isWrong(h.check))
-    s.say("face " + faceName(story.picture, h.nearest) + " is nearer and should show: choose --order newell",
+    s.say("face " + faceName(story.picture, h.nearest) +
+              " is nearer and should show, as it does with Newell's order",
           6)
         .tone = Tone::Alarm;
   return s;
@@ -493,6 +494,8 @@ void addEquations(Page& page, const Story& story, const Explanation& e, const Pi
   page.questions.push_back({kDiffuse, "the diffuse term" + ofAll, first->diffuse(c), t[1]});
   page.questions.push_back({kSpecular, "the specular term" + ofAll, first->specular(c), t[2]});
   page.questions.push_back({kI, "I, the sum of the terms", first->I[c], t[0] + t[1] + t[2]});
+  if (e.channels == 1 && !story->inColors())
+    page.questions.back().lands = [story, &e](double I) { return tableOf(*story, e).cell(I); };
 }
 
 /// The shades of the table around one.
@@ -682,7 +685,8 @@ Page ofPixel(const Story& story, const PixelChoice& choice) {
   all.sections.push_back(tablePart(story, e, chosen == h.shown, choice));
   if (!story->inColors()) {
     const auto value = static_cast<double>(e.value[0]);
-    all.questions.push_back({kCell, "the cell", value, value, 0});
+    all.questions.push_back({kCell, "the cell", value, value, 0,
+                             [](double typed) { return static_cast<int>(std::lround(typed)); }});
   }
   return all;
 }

@@ -231,6 +231,17 @@ void PixelView::draw(Painter paint, const DrawContext& context) {
   inside.frame({mark.x - 1, mark.y - 1, mark.width + 2, mark.height + 2}, context.plan[Cell::Black]);
   inside.frame(mark, context.plan[Cell::White]);
   Pen pen{paint, context.plan};
+  if (painted_ > 0) {
+    const Explanation& e = story.explained[static_cast<std::size_t>(chosen)];
+    const glm::dvec2 place =
+        vertices_ > 0 ? e.vertices[static_cast<std::size_t>(vertex_)].at : glm::dvec2{i + 0.5, j + 0.5};
+    const int which = vertices_ > 0 ? e.vertices[static_cast<std::size_t>(vertex_)].equation : 0;
+    if (which >= 0 && which < std::ssize(e.equations))
+      drawVectors(pen, picture_,
+                  {picture_.x + static_cast<int>(place.x * picture_.width / width_),
+                   picture_.y + static_cast<int>(place.y * picture_.height / height_)},
+                  story, e.equations[static_cast<std::size_t>(which)]);
+  }
   const int pitch = page::pitchOf(context.layout.body);
   pressed_ = page::draw(pen, page, at.column, pitch, quiz_.hiding());
   for (const page::Pressed& one :

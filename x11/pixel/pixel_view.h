@@ -49,7 +49,7 @@ class PixelView : public WindowView {
   }
   [[nodiscard]] std::vector<std::string> report() const override { return words_; }
   [[nodiscard]] std::optional<int> inspected() const override {
-    return quiz_.isHiding() ? std::nullopt : cell_;
+    return quiz_.landed() ? quiz_.landed() : quiz_.isHiding() ? std::nullopt : cell_;
   }
 
  private:

@@ -39,7 +39,8 @@ struct ScanlineState {
   int bits = 24;
   double speed = 8;
   bool playing = false, asking = false;
-  bool code = false;  ///< the book's lines are shown, in place of the edges and the span
+  bool code = false;              ///< the book's lines are shown, in place of the edges and the span
+  std::optional<int> guess = {};  ///< the cell of the last answer while `asking`
   Score score = {};
   bool operator==(const ScanlineState&) const = default;
 };

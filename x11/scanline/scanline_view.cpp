@@ -7,7 +7,7 @@
 #include "depthsort/oracle.h"
 #include "x11/drawing/wording.h"
 #include "x11/kit/pseudocode.h"
-#include "x11/kit/typed_number.h"
+#include "x11/kit/quiz.h"
 
 namespace xnewell {
 
@@ -204,26 +204,20 @@ void ScanlineView::predict() {
   if (!run_) return host_.notify("There is no run yet.");
   if (view_.step >= run_->steps()) return host_.notify("This is the end of the run.");
   const ScanSample next = run_->samples()[static_cast<std::size_t>(view_.step)];
-  const auto tell = [this, next](const std::string& before) {
-    view_.asking = false;
-    goTo(view_.step + 1);
-    host_.tell(before + std::to_string(next.steppedCell) + ", at pixel " + std::to_string(next.column) + "." +
-               (view_.score.asked > 0 ? " " + view_.score.text() + "." : ""));
-  };
   view_.asking = true;
-  const auto tried = std::make_shared<bool>(false);
-  host_.ask({.asks = "predict the cell of the next pixel, " + std::to_string(next.column),
-             .take = [this, next, tell, tried](const std::string& text) -> std::string {
-               const std::optional<int> cell = wholeNumber(text);
-               if (!cell || *cell < 0 || *cell > 255) return "Type a cell: a whole number from 0 to 255.";
-               const bool right = *cell == next.steppedCell;
-               if (!std::exchange(*tried, true)) view_.score.add(right);
-               if (!right) return text + " is not right. Try again, or press Esc to see it.";
-               tell("Right: cell ");
-               return {};
-             },
-             .dropped = [tell] { tell("The next cell is "); },
-             .ofPicture = true});
+  const double cell = next.steppedCell;
+  askNumber(
+      host_,
+      {1, "the cell of the next pixel, " + std::to_string(next.column), cell, cell, 0,
+       [](double typed) { return static_cast<int>(std::lround(typed)); }},
+      view_.score, [this](std::optional<int> guess) { view_.guess = guess; },
+      [this, next](bool isRight) {
+        view_.asking = false, view_.guess.reset();
+        goTo(view_.step + 1);
+        host_.tell((isRight ? "Right: cell " : "The next cell is ") + std::to_string(next.steppedCell) +
+                   ", at pixel " + std::to_string(next.column) + "." +
+                   (view_.score.asked > 0 ? " " + view_.score.text() + "." : ""));
+      });
 }
 
 void ScanlineView::walk(int direction) {
@@ -372,6 +366,7 @@ std::vector<std::string> ScanlineView::report() const {
 }
 
 std::optional<int> ScanlineView::inspected() const {
+  if (view_.guess) return view_.guess;
   if (!run_ || view_.step == 0 || view_.step > run_->steps()) return std::nullopt;
   return run_->samples()[static_cast<std::size_t>(view_.step - 1)].steppedCell;
 }
