@@ -378,6 +378,7 @@ class Viewer {
 int showWindow(const Options& options, Scene scene, const std::function<void(Workbench&)>& begin,
                const std::function<void()>& shown) {
   Viewer viewer{options, std::move(scene)};
+  if (options.answers.empty()) viewer.bench().lessons().keepAnswersAsUsual();
   begin(viewer.bench());
   return viewer.run(shown);
 }

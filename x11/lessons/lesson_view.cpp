@@ -1,6 +1,7 @@
 #include "x11/lessons/lesson_view.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
@@ -459,16 +460,45 @@ void LessonList::draw(Pen& pen, const Layout& at, ControlList& places, const Les
   drawn_ = chosen_;
 }
 
+void LessonView::keepAnswersAsUsual() {
+  const std::string file = KeptAnswers::usualFile();
+  try {
+    if (!file.empty()) answers_.keepIn(file);
+  } catch (const std::exception& e) {
+    host_.notify(std::string{"Answers are not kept: "} + e.what());
+  }
+}
+
+std::string KeptAnswers::usualFile() {
+  const auto folder = [](const char* name) {
+    const char* const value = std::getenv(name);
+    return std::filesystem::path{value && *value == '/' ? value : ""};
+  };
+  std::filesystem::path state = folder("XDG_STATE_HOME");
+  if (state.empty() && !folder("HOME").empty()) state = folder("HOME") / ".local/state";
+  return state.empty() ? "" : state / "xnewell/answers.json";
+}
+
 void KeptAnswers::keepIn(const std::string& file) {
   file_ = file;
-  if (!std::filesystem::exists(file)) return;
-  for (AnsweredQuestion& one : readAnswers(file))
+  try {
+    read();
+  } catch (...) {
+    file_.clear();
+    throw;
+  }
+}
+
+void KeptAnswers::read() {
+  if (file_.empty() || !std::filesystem::exists(file_)) return;
+  for (AnsweredQuestion& one : readAnswers(file_))
     lessons_[one.lesson][one.step - 1] = {.tries = std::move(one.tries), .right = one.right};
 }
 
 void KeptAnswers::add(const Lesson& lesson, int step, int answer) {
   const auto& answers = lesson.steps[static_cast<std::size_t>(step)].question->answers;
   const auto right = std::ranges::find(answers, true, &LessonAnswer::holds) - answers.begin();
+  read();
   Question& question = lessons_[lesson.name][step];
   question.tries.push_back(answer);
   question.right = static_cast<int>(right);
@@ -476,6 +506,8 @@ void KeptAnswers::add(const Lesson& lesson, int step, int answer) {
   std::vector<AnsweredQuestion> all;
   for (const auto& [name, steps] : lessons_)
     for (const auto& [number, kept] : steps) all.push_back({name, number + 1, kept.tries, kept.right});
+  if (const auto folder = std::filesystem::path{file_}.parent_path(); !folder.empty())
+    std::filesystem::create_directories(folder);
   rewriteFile(file_, answersText(all));
 }
 

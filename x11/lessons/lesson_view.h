@@ -22,8 +22,12 @@ class KeptAnswers {
   /// From now on each answer is written to this file. What it holds already is kept.
   /// @throws ParseError, std::system_error
   void keepIn(const std::string& file);
+  /// The file in the folder where the user's programs keep their state; "" if there is none.
+  /// @see XDG Base Directory Specification 0.8, XDG_STATE_HOME
+  [[nodiscard]] static std::string usualFile();
 
-  /// @throws std::system_error if the file cannot be written
+  /// Adds it to what the file holds by now: another window may have answered.
+  /// @throws std::system_error if the file cannot be written, or ParseError
   void add(const Lesson& lesson, int step, int answer);
 
   /// "2 of 3 right at the first try"; "" if no question of the lesson was answered.
@@ -35,6 +39,8 @@ class KeptAnswers {
     int right;
   };
   using Steps = std::map<int, Question>;  ///< from 0
+
+  void read();
 
   std::map<std::string, Steps> lessons_;
   std::string file_;
@@ -102,6 +108,8 @@ class LessonView : public WindowView {
   [[nodiscard]] std::string score(const std::string& lesson) const { return answers_.score(lesson); }
   /// Keeps all answers in this file, from now on. @throws ParseError, std::system_error
   void keepAnswers(const std::string& file) { answers_.keepIn(file); }
+  /// Keeps them in the usual file. If that holds anything else, says so, and keeps nothing.
+  void keepAnswersAsUsual();
   /// 0 <= step < steps.
   void goTo(int step);
   [[nodiscard]] int step() const { return step_; }

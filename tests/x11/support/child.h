@@ -1,7 +1,9 @@
 #pragma once
 
-#include <cstring>
+#include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <unistd.h>
@@ -10,11 +12,14 @@ namespace xnewell {
 
 /// The arguments of execvpe(), made before fork(): nothing may be allocated between the two.
 
-/// This program's environment with DISPLAY as given, or without it where `display` is empty.
+/// This program's environment with DISPLAY as given, or without it where `display` is empty; without a home,
+/// where a window would keep answers.
 inline std::vector<std::string> environmentWith(const std::string& display) {
   std::vector<std::string> environment;
   for (char** e = environ; *e != nullptr; ++e)
-    if (std::strncmp(*e, "DISPLAY=", 8) != 0) environment.emplace_back(*e);
+    if (std::ranges::none_of(std::array<std::string_view, 3>{"DISPLAY=", "HOME=", "XDG_STATE_HOME="},
+                             [e](std::string_view name) { return std::string_view{*e}.starts_with(name); }))
+      environment.emplace_back(*e);
   if (!display.empty()) environment.push_back("DISPLAY=" + display);
   return environment;
 }
