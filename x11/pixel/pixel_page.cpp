@@ -23,6 +23,8 @@ namespace {
 constexpr int kD = 4;  ///< decimals
 
 std::string number(double v) { return fixed(v, kD); }
+/// A factor that may say nothing.
+std::string factor(double v) { return v == 1.0 ? "1" : number(v); }
 
 std::array<int, 3> wantedColor(const Explanation& e) {
   return {channelByte(e.value[0]), channelByte(e.value[1]), channelByte(e.value[2])};
@@ -194,7 +196,7 @@ std::vector<std::string> numbersPutIn(const Explanation& e, const ExplainedEquat
     const bool highlight = light.NdotL > 0.0 || row.highlightBehind;
     const bool nothing = !highlight && light.facing == 0.0;
     const auto ofLight = [&](std::string_view word) {
-      if (word == "f") return number(light.fatt * light.spot);
+      if (word == "f") return factor(light.fatt * light.spot);
       if (word == "Ip") return fixed(light.Ip[c], 2);
       if (word == "RV") return asked(kRV, inBrackets(highlight ? light.counted : 0.0));
       if (word == "angle") return asked(kNL, fixed(90.0 * (1.0 - light.facing), 2));
@@ -386,7 +388,7 @@ void addVectors(Section& s, const PixelStory& story, const ExplainedEquation& at
     }
     if (light.fatt != 1.0 || light.spot != 1.0)
       s.say(
-          "f" + which + " = " + number(light.fatt) + " by distance x " + number(light.spot) + " by the cone",
+          "f" + which + " = " + factor(light.fatt) + " by distance x " + factor(light.spot) + " by the cone",
           2);
     if (light.ownL)
       s.say("from here, for the cone alone, L is" + components(*light.ownL) + ": L" + which +

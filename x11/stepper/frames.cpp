@@ -84,7 +84,9 @@ const IndexImage& Frames::at(int step) {
   compose(soFar_.at(replay_.painted()), wrapped(lines));
 
   const Event& e = *replay_.event();
-  outlineWaiting();
+  if (waitingAreOutlined())
+    outlineWaiting(overPicture().pixels(), replay_, plan_,
+                   [&](int id) { return outlineOf(explainer_.fragments().region(id)); });
   if (e.Q >= 0) mark(e.Q, Cell::Q, Stipple::Diagonals, "Q");
   if (e.kind == Event::Kind::Split) {
     const int behind = explainer_.fragments().pieceOf(replay_.splits() - 1);
@@ -123,13 +125,10 @@ void Frames::compose(const IndexImage& soFar, const std::vector<Line>& lines) {
   }
 }
 
-/// Outlines polygons that are not painted yet in thin lines.
-void Frames::outlineWaiting() {
-  if (!waitingAreOutlined()) return;
-  Painter painter = overPicture().pixels();
-  for (const auto& [id, marked] : replay_.list(kMostWaiting))
-    outline(painter, outlineOf(explainer_.fragments().region(id)),
-            cell(marked ? Cell::Faint : Cell::WellLine));
+void outlineWaiting(Painter fine, const Replay& replay, const CellPlan& plan,
+                    const std::function<Outline(int)>& placed) {
+  for (const auto& [id, marked] : replay.list(kMostWaiting))
+    outline(fine, placed(id), plan[marked ? Cell::Faint : Cell::WellLine]);
 }
 
 /// Tints a fragment if it is not painted yet, outlines it, and draws its letter in the middle.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "shading/color/palette.h"
 #include "shading/picture/picture.h"
 #include "x11/drawing/painter.h"
+#include "x11/stepper/outline.h"
 #include "x11/stepper/so_far.h"
 
 namespace xnewell {
@@ -18,6 +20,11 @@ namespace xnewell {
 /// what happened.
 
 inline constexpr int kMostWaiting = 3000;  ///< more thin outlines would cover the picture
+
+/// Outlines polygons that are not painted yet in thin lines, the marked ones brighter. `placed` is the
+/// outline of a fragment in the image.
+void outlineWaiting(Painter fine, const Replay& replay, const CellPlan& plan,
+                    const std::function<Outline(int)>& placed);
 
 /// The frames of a run over picture.snapped(). The run outlives it.
 class Frames {
@@ -52,7 +59,6 @@ class Frames {
   /// True if few enough fragments are left to outline them. A polygon that will be split counts as its
   /// pieces.
   [[nodiscard]] bool waitingAreOutlined() const;
-  void outlineWaiting();
   void mark(int fragment, Cell cell, Stipple stipple, std::string_view letter);
   /// In units.
   [[nodiscard]] Rect pictureArea() const;

@@ -78,27 +78,24 @@ SortLayout layoutOfSort(const Rect& body, bool shut, bool own) {
   const int given = own ? (kTestRowsShown - kOwnTests) * at.line : 0;
   at.table.height -= given;
   at.finding = {at.table.x, at.table.y + at.table.height + gap, at.table.width, findings + given};
-  int x = at.finding.x + 13;
-  const int first = shut ? 3 : at.line + 3;  // the headline has the first line
-  for (std::size_t k = 0; k < kAnswers.size(); ++k) {
-    const int width = kKeyCap + 6 + textWidth(kAnswers[k]);
-    at.answers[k] = {x, at.finding.y + first, width, at.line + 2};
-    x += width + (shut ? 14 : 20);
-  }
-  x = at.finding.x + 13;
   if (shut) {
     const int below = at.finding.y + at.finding.height + at.line;
     constexpr int kLeast = 70;
     if (const int room = at.counts.y - at.line - below; room >= kLeast)
       at.ring = {right, below, at.finding.width, room};
   }
-  int y = at.finding.y + first;
-  for (std::size_t k = 0; k < kActs.size(); ++k) {
-    const int width = kKeyCap + 6 + textWidth(kActs[k]);
-    if (x + width > at.finding.x + at.finding.width) x = at.finding.x + 13, y += at.line + 4;
-    at.acts[k] = {x, y, width, at.line + 2};
-    x += width + (at.compact || shut ? 8 : 20);
-  }
+  const int first = shut ? 3 : at.line + 3;  // the headline has the first line
+  const auto inRows = [&](const auto& names, auto& places, int gap, int below) {
+    int x = at.finding.x + 13, y = at.finding.y + first;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const int width = kKeyCap + 6 + textWidth(names[k]);
+      if (x + width > at.finding.x + at.finding.width) x = at.finding.x + 13, y += at.line + below;
+      places[k] = {x, y, width, at.line + 2};
+      x += width + gap;
+    }
+  };
+  inRows(kAnswers, at.answers, shut ? 14 : 20, 0);
+  inRows(kActs, at.acts, at.compact || shut ? 8 : 20, 4);
   return at;
 }
 

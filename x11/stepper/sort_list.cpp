@@ -33,7 +33,7 @@ Rows rowsOf(const SortPen& pen) {
   Rows rows;
   for (int n = std::max(0, replay.painted() - 3); n < replay.painted(); ++n)
     if (const int id = pen.run.paintedId(n); id != P) rows.shown.push_back({id, Mark::Painted});
-  while (rows.shown.size() > 2) rows.shown.erase(rows.shown.begin());
+  while (std::ssize(rows.shown) > std::min(2, pen.at.rows() / 4)) rows.shown.erase(rows.shown.begin());
 
   if (P >= 0 && !own) rows.shown.push_back({P, Mark::P});
 

@@ -11,15 +11,6 @@ namespace xnewell {
 
 namespace {
 
-/// Outlines polygons that are not painted yet in thin lines. Returns false if there are none, or too many.
-bool outlineWaiting(SortPen& pen, Painter fine, const auto& placed) {
-  const int left = pen.left();
-  if (left > kMostWaiting) return false;
-  for (const auto& [id, marked] : pen.run.replay().list(kMostWaiting))
-    outline(fine, placed(id), pen(marked ? Cell::Faint : Cell::WellLine));
-  return left > 0;
-}
-
 /// Marks the samples that painting too early has spoilt.
 void markSpoilt(SortPen& pen, Painter fine, const Rect& samples, const std::vector<SampleRow>& rows) {
   const auto pixel = [&](int sample) { return static_cast<int>(pen.scale() * sample); };
@@ -153,7 +144,8 @@ Rect drawSortPicture(SortPen& pen) {
     for (Place& p : figure) p = {scale * p.x + samples.x, scale * p.y + samples.y};  // pixels
     return figure;
   };
-  const bool outlined = outlineWaiting(pen, paint.pixels(), placed);
+  const bool outlined = pen.left() > 0 && pen.left() <= kMostWaiting;
+  if (outlined) outlineWaiting(paint.pixels(), pen.run.replay(), pen.plan, placed);
   if (pen.view.own) markSpoilt(pen, paint.pixels(), samples, pen.view.own->spoilt);
   Rect loupe;
   if (pen.event) {

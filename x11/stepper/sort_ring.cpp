@@ -82,9 +82,14 @@ std::vector<RingPlace> drawRing(SortPen& pen, const std::vector<RingLink>& ring)
     const std::string words = !open ? "step " + std::to_string(from.link.step)
                               : pen.event->kind == Event::Kind::Split ? "cut"
                                                                       : "contact";
-    const int width = textWidth(words);
-    const Rect label{static_cast<int>((a.x + b.x) / 2) - width / 2 - 2, static_cast<int>((a.y + b.y) / 2) - 7,
-                     width + 4, 14};
+    const int width = textWidth(words) + 4;
+    // On the arrow, or inside the ring if too little of the arrow would be left.
+    const double covered = std::min(width / std::max(1e-9, std::abs(dx)), 14 / std::max(1e-9, std::abs(dy)));
+    const double inside = std::hypot(b.x - a.x, b.y - a.y) - covered < 20
+                              ? std::abs(dy) * (width / 2.0 + 4) + std::abs(dx) * 10
+                              : 0;
+    const Rect label{static_cast<int>((a.x + b.x) / 2 - inside * dy) - width / 2,
+                     static_cast<int>((a.y + b.y) / 2 + inside * dx) - 7, width, 14};
     pen.paint.fillRect(label, pen(!open && look().hovered ? Cell::Focus : Cell::Paper));
     pen.paint.text(label.x + 2, label.y + 11, words, pen(open ? Cell::Alarm : Cell::Soft));
     if (!open) places.push_back({label, -1, from.link.step});

@@ -128,27 +128,22 @@ void drawFinding(SortPen& pen) {
     if (!finding.aside.empty() && end + 12 + textWidth(finding.aside) <= at.x + at.width - 6)
       pen.softRight(at.x + at.width - 8, y, finding.aside);
   }
+  const auto offer = [&](SortPart part, std::size_t k, const Rect& r, char key, std::string_view words,
+                         Cell cell) {
+    if (pen.look(part, static_cast<int>(k)).hovered)
+      pen.paint.fillRect({r.x - 3, r.y - 1, r.width + 6, r.height + 1}, pen(Cell::Focus));
+    const int width = pen.key(r.x, r.y + 1, std::string_view{&key, 1});
+    pen.paint.text(r.x + width + 6, r.y + 1 + kKeyCapBaseline, words, pen(cell));
+  };
   if (pen.sorting()) {
-    for (std::size_t k = 0; k < kActs.size(); ++k) {
-      const Rect& r = pen.at.acts[k];
-      if (pen.look(SortPart::Act, static_cast<int>(k)).hovered)
-        pen.paint.fillRect({r.x - 3, r.y - 1, r.width + 6, r.height + 1}, pen(Cell::Focus));
-      const int width = pen.key(r.x, r.y + 1, std::string_view{&kActKeys[k], 1});
-      pen.paint.text(r.x + width + 6, r.y + 1 + kKeyCapBaseline, kActs[k],
-                     pen(pen.P() >= 0 && (k == 0 || pen.Q() >= 0) ? Cell::Ink : Cell::Faint));
-    }
+    for (std::size_t k = 0; k < kActs.size(); ++k)
+      offer(SortPart::Act, k, pen.at.acts[k], kActKeys[k], kActs[k],
+            pen.P() >= 0 && (k == 0 || pen.Q() >= 0) ? Cell::Ink : Cell::Faint);
     y = pen.at.acts.back().y + pen.at.acts.back().height + pen.at.line - 2;
-  } else if (pen.view.asking) {
-    for (std::size_t k = 0; k < kAnswers.size(); ++k) {
-      const Rect& r = pen.at.answers[k];
-      if (pen.look(SortPart::Answer, static_cast<int>(k)).hovered)
-        pen.paint.fillRect({r.x - 3, r.y - 1, r.width + 6, r.height + 1}, pen(Cell::Focus));
-      const int width = pen.key(r.x, r.y + 1, std::string_view{&kAnswerKeys[k], 1});
-      pen.ink(r.x + width + 6, r.y + 1 + kKeyCapBaseline, kAnswers[k]);
-    }
-    y += 2 * pen.at.line;
   } else {
-    y += pen.at.line;
+    for (std::size_t k = 0; pen.view.asking && k < kAnswers.size(); ++k)
+      offer(SortPart::Answer, k, pen.at.answers[k], kAnswerKeys[k], kAnswers[k], Cell::Ink);
+    y += (1 + pen.view.asking) * pen.at.line;
   }
   std::vector<std::string> lines = broken(finding.why, room / kGlyphWidth);
   const int rows = std::max(1, (at.y + at.height - y) / pen.at.line + 1);

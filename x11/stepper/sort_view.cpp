@@ -383,8 +383,11 @@ std::string SortView::aside() const {
            (run.width == here.width ? "" : ", shown smaller; numbers are in its pixels");
   }
   if (fullColor_) return "in one hue: the picture chooses its colours after all of it is painted";
-  return order_ == Order::Newell ? "the textbook's run; the picture uses a quicker one, which may cut others"
-                                 : "Newell's sort; the picture itself: " + orderText(order_);
+  // Its numbers are those of this many pixels: another size rounds the corners otherwise.
+  const std::string of = sizeText(picture_->settings().width, picture_->settings().height);
+  return order_ == Order::Newell
+             ? "the textbook's run at " + of + "; the picture uses a quicker one, which may cut others"
+             : "Newell's sort at " + of + "; the picture itself: " + orderText(order_);
 }
 
 std::vector<std::string> SortView::report() const {

@@ -14,21 +14,26 @@ namespace xnewell {
 namespace {
 
 Range scaled(const Range& r, double scale) { return {r.low * scale, r.high * scale}; }
-std::string rangeText(const Range& r) { return fixed(r.low, 1) + ".." + fixed(r.high, 1); }
 
-/// A number with one decimal, or with enough to show that it is not 0.
+/// A number without decimals from 10 on, else with one, or with enough to show that it is not 0.
 std::string shown(double v) {
-  int decimals = 1;
+  int decimals = std::abs(v) < 10.0;
   while (decimals < 6 && v != 0.0 && std::abs(v) * std::pow(10.0, decimals) < 0.5) ++decimals;
   return fixed(v, decimals);
 }
 
-std::vector<std::string> extentNumbers(const Range& P, const Range& Q) {
-  const double shared = std::min(P.high, Q.high) - std::max(P.low, Q.low);
-  const std::string both = rangeText(P) + " and " + rangeText(Q);
+std::vector<std::string> extentNumbers(Range P, Range Q) {
+  const auto share = [&] { return std::min(P.high, Q.high) - std::max(P.low, Q.low); };
+  const bool whole =
+      std::abs(share()) >= 10.5;  // then their ends are, too, and their difference is the share
+  for (double* const end : {&P.low, &P.high, &Q.low, &Q.high})
+    if (whole) *end = std::round(*end);
+  const double shared = share();
+  const auto text = [&](const Range& r) { return fixed(r.low, !whole) + ".." + fixed(r.high, !whole); };
+  const std::string both = text(P) + " and " + text(Q);
   // Extents that only touch do not overlap: they share 0.0 px.
-  const std::string share = shared > 0.0 ? "share " + shown(shared) + " px" : shown(-shared) + " px apart";
-  return {both + (shared > 0.0 ? " " : ", ") + share, share};
+  const std::string words = shared > 0.0 ? "share " + shown(shared) + " px" : shown(-shared) + " px apart";
+  return {both + (shared > 0.0 ? " " : ", ") + words, words};
 }
 
 /// How many corners lie on the side that the test asks for, and the distance of each.

@@ -25,8 +25,8 @@ namespace xnewell {
 /// `P behind Q's plane?`
 [[nodiscard]] std::string_view questionOf(Test test);
 
-/// A distance with its sign, `+3.1`, and enough decimals to show that it is not 0. A distance of exactly 0
-/// has no sign.
+/// A distance with its sign, `+3.1` or `+31`, and enough decimals to show that it is not 0. A distance of
+/// exactly 0 has no sign.
 [[nodiscard]] std::string distanceText(const CornerDistance& corner, double scale = 1);
 
 /// The numbers that decide a test of a Compare event, in several wordings, the longest first. Here and above

@@ -65,6 +65,32 @@ TEST(KeptAnswers, AreWhatTheStudentGave) {
             nlohmann::json::parse(R"({"lesson": "cycles", "step": 6, "tries": ["c"], "right": "c"})"));
 }
 
+// Without a file of their own, answers are kept where programs keep their state. Nothing is made there before
+// the first answer, and two windows keep both their answers.
+TEST(KeptAnswers, HaveAUsualPlace) {
+  const TemporaryFolder folder;
+  const auto placeWith = [](const char* state, const char* home) {
+    state ? setenv("XDG_STATE_HOME", state, 1) : unsetenv("XDG_STATE_HOME");
+    home ? setenv("HOME", home, 1) : unsetenv("HOME");
+    return KeptAnswers::usualFile();
+  };
+  const char* const home = std::getenv("HOME");
+  const std::string before = home ? home : "", file = placeWith(folder.file("s").c_str(), "/h");
+  EXPECT_EQ(file, folder.file("s") + "/xnewell/answers.json");
+  EXPECT_EQ(placeWith("relative", "/h"), "/h/.local/state/xnewell/answers.json");
+  EXPECT_EQ(placeWith(nullptr, nullptr), "");
+  static_cast<void>(placeWith(nullptr, home ? before.c_str() : nullptr));
+
+  const Lesson lesson = readLesson(std::string{XNEWELL_DATA_DIR} + "/lessons/cycles.json");
+  KeptAnswers one, other;
+  one.keepIn(file), other.keepIn(file);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("s")));
+  one.add(lesson, 2, 3);
+  other.add(lesson, 5, 1);
+  EXPECT_EQ(other.score("cycles"), "1 of 2 right at the first try");
+  EXPECT_EQ(read(file)["answers"].size(), 2u);
+}
+
 // A file that holds anything else is refused with its place, and stays as it is.
 TEST(KeptAnswers, RefuseOtherFiles) {
   const TemporaryFolder folder;

@@ -137,11 +137,20 @@ TEST(Predict, AsksAndScores) {
   view.showsAll();
   const int cell = view.bench.inspected().value();
   view.predicts();
-  EXPECT_EQ(view.line.typed()->asks, "predict the cell");
-  view.types(std::to_string(cell));
+  EXPECT_EQ(view.line.typed()->asks, "predict the cell, or click its cell on the strip");
+  EXPECT_TRUE(view.line.pick(cell));
+  view.draws();
   EXPECT_FALSE(view.line.isOpen());
   EXPECT_EQ(view.notices.back(),
             "Right: the cell is " + std::to_string(cell) + ". 1 of 2 right at the first try.");
+
+  // The strip marks the cell of an answer that is wrong. A cosine has none.
+  view.predicts();
+  EXPECT_FALSE(view.line.pick(cell));
+  for (int k = 0; k < 5; ++k) view.givesUp(), view.predicts();
+  view.types(std::to_string(cell - 1));
+  EXPECT_TRUE(view.line.isOpen());
+  EXPECT_EQ(view.bench.inspected(), cell - 1);
 }
 
 // What was kept is hidden while a number is asked: it may be that number.

@@ -213,7 +213,7 @@ TEST(SortPage, NumbersAreTheExplainers) {
 // A distance other than 0 is never shown as 0, and 0 has no sign.
 TEST(SortPage, SmallDistancesKeepTheirSign) {
   EXPECT_EQ(distanceText({{}, 3.14, 1, false}), "+3.1");
-  EXPECT_EQ(distanceText({{}, -28.57, -1, false}), "-28.6");
+  EXPECT_EQ(distanceText({{}, -28.57, -1, false}), "-29");
   EXPECT_EQ(distanceText({{}, 0.004, 1, false}), "+0.004");
   EXPECT_EQ(distanceText({{}, -0.00002, -1, false}), "-0.00002");
   EXPECT_EQ(distanceText({{}, 0.0, 0, false}), "0.0");
