@@ -24,6 +24,9 @@ constexpr double kLargeN = 32;
 constexpr int kFewTelling = 12;  ///< samples; fewer tell nothing
 constexpr int kFewFaces = 2;
 constexpr int kFewOfFace = 2;  ///< samples, more of which tell against a row
+/// Shades: a sample counts as no farther off than the first; the mean of what tells, as the noise and so
+/// much.
+constexpr double kMostOff = 10, kMostNoise = 0.3, kOff = 0.2, kOffOfOne = 1.5;
 constexpr double kTwoInformative = 0.95;
 constexpr int kPlacesForTwo = 3;  ///< pairs of values that must tell before two mistakes are named
 /// The faces, or values of smooth ones, that must tell a number; a third of those that are not right will do.
@@ -152,11 +155,14 @@ Fit Diagnoser::fit(const std::vector<Predicted>& other, std::size_t stride) {
                                             std::abs(right[s].value[0] - other[k].value[0]) < kSameValue &&
                                             (yours.cell.empty() || right[s].cell == other[k].cell)
                                       : otherFromRight[k] <= own;
-    if (yoursIsRight && otherIsRight) continue;
+    if (yoursIsRight && otherIsRight) {
+      fit.noise += std::min(d[k], kMostOff);
+      continue;
+    }
     ++fit.telling;
     const bool isTold = byValue ? isSame(yours, s, other[k]) : d[k] <= own;
     told += isTold;
-    fit.off += std::min(d[k], 10.0);
+    fit.off += std::min(d[k], kMostOff);
     if (isTold && samples_[s].face != lastFace) ++fit.faces, lastFace = samples_[s].face;
     places.set(256 * std::clamp(static_cast<int>(right[s].value[0] + 0.5F), 0, 255) + yours.value[s][0]);
   }
@@ -164,6 +170,7 @@ Fit Diagnoser::fit(const std::vector<Predicted>& other, std::size_t stride) {
   fit.explained = static_cast<double>(explained) / static_cast<double>(d.size());
   fit.informative = fit.telling > 0 ? static_cast<double>(told) / fit.telling : 0.0;
   fit.off /= std::max(1, fit.telling);
+  fit.noise /= std::max(1, static_cast<int>(d.size()) - fit.telling);
   return fit;
 }
 
@@ -173,13 +180,23 @@ std::optional<Fit> Diagnoser::promising(const std::vector<Predicted>& few, const
   return some.explained < kExplainsSome ? std::nullopt : std::optional{some};
 }
 
+/// True if faces speak against a row, or if it is farther from the picture where it tells than elsewhere. A
+/// mean of few samples is less certain. In a wrong order it depends on small things which face shows; of
+/// several hues each has few shades.
+bool Diagnoser::isContradicted(const Fit& fit) const {
+  if (model_.colors || approachOf(fit).paint != PaintWay::Nearest) return false;
+  const double usual = mistakesIn(fit) > 1 ? kOff / 2 : kOff;
+  return fit.against > 0 ||
+         fit.off > usual + std::min(fit.noise, kMostNoise) + kOffOfOne / std::sqrt(std::max(1, fit.telling));
+}
+
 /// True if a row or a number explains what it must.
 bool Diagnoser::isTold(const Fit& fit) const {
   // Which face shows in a wrong order depends on small things, so not all of it is explained.
   const bool byFaces = approachOf(fit).paint != PaintWay::Nearest;
   if (fit.informative < (byFaces ? kInformativeOrder : tellsExactly() ? kExact : kInformative)) return false;
-  return isOk(fit.first->meaning) ||
-         (fit.telling >= kFewTelling && (fit.faces >= kFewFaces || kFewFaces * fit.faces >= facesSampled_));
+  return isOk(fit.first->meaning) || (!isContradicted(fit) && fit.telling >= kFewTelling &&
+                                      (fit.faces >= kFewFaces || kFewFaces * fit.faces >= facesSampled_));
 }
 
 /// True if several faces, or values of smooth ones, tell a number from the row that fits best without it: the
@@ -322,8 +339,10 @@ bool Diagnoser::decideByTwo(Diagnosis& d, double best, bool twoMistakes) {
     if (pair.cost > least + kClass) break;
     Fit whole = fit(predicted(approachWith(*pair.first, pair.second)));
     whole.first = pair.first, whole.second = pair.second;
-    if (whole.explained < kExplainsRight || whole.informative < kTwoInformative) continue;
+    if (whole.explained < kExplainsRight || whole.informative < (tellsExactly() ? kExact : kTwoInformative))
+      continue;
     if (twoMistakes && whole.places < kPlacesForTwo) continue;
+    if (mistakesIn(whole) > 0 && isContradicted(whole)) continue;
     std::set<std::string_view> wrong;
     for (const Hypothesis* h : {whole.first, whole.second})
       if (h->meaning == Meaning::Wrong) wrong.insert(h->key);

@@ -16,7 +16,7 @@ namespace xnewell {
 
 namespace {
 
-constexpr double kExplainsStrange = 0.8;
+constexpr double kExplainsStrange = 0.8, kExplainsStrangeSmooth = 0.9;
 constexpr std::size_t kFewest = 50;  ///< samples, without which nothing can be said
 
 /// The settings of the picture that the faces come from: exact, not painted.
@@ -367,12 +367,17 @@ void Diagnoser::countOthers(const HandedIn& handed, Diagnosis& d) {
     if (one.first->meaning != Meaning::Wrong || one.explained < kExplainsRight) continue;
     OtherProgram wrong{model_, approachWith(*one.first, with)};
     std::size_t told = 0;
-    for (std::size_t k = 0; k < all.size(); ++k)
-      told += apart(yours, k, predictedAt(wrong, all[k], all[k].face)) <= tolerance();
     Fit fit = one;
-    fit.second = with, fit.telling = d.strange;
+    fit.second = with, fit.telling = d.strange, fit.off = 0;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const double off = apart(yours, k, predictedAt(wrong, all[k], all[k].face));
+      told += off <= tolerance(), fit.off += std::min(off, 10.0) / static_cast<double>(all.size());
+    }
     fit.informative = static_cast<double>(told) / static_cast<double>(all.size());
-    if (fit.informative >= kExplainsStrange &&
+    if (fit.informative < (tellsExactly() ? kExplainsStrange : kExplainsStrangeSmooth)) continue;
+    // What explains the few must not be worse for the others.
+    const double cost = with ? this->fit(predicted(approachWith(*one.first, with))).cost : one.cost;
+    if (cost <= found.cost + kClass &&
         std::ranges::none_of(explain, [&](const Fit& f) { return f.first->key == one.first->key; }))
       explain.push_back(fit);
   }

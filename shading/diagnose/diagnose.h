@@ -57,6 +57,7 @@ struct Outlines {
 ///    is to show the same stored value, and a mistake must explain kExact of them; elsewhere, edges of other
 ///    programs leave some slack. kFewTelling samples and kFewFaces faces must tell it, or a third of all
 ///    faces.
+///    No face may speak against it, and where it tells it must be as near to the picture as elsewhere.
 /// 6. If the right program does not show the picture exactly, other numbers are searched for, one at a time
 ///    (numbers.cpp). A number that fits better than all rows is told if several faces tell it from the best
 ///    of these; one that fits as well as a mistake is told with it, and one that fits as well as what the
@@ -69,7 +70,7 @@ struct Outlines {
 ///    that no face has there may tell a mistake that few samples show.
 
 inline constexpr int kMostSamples = 3000;
-inline constexpr double kClass = 0.01, kInformative = 0.8, kInformativeOrder = 0.87;
+inline constexpr double kClass = 0.01, kInformative = 0.9, kInformativeOrder = 0.87;
 inline constexpr double kExplainsRight = 0.97;  ///< of the samples, before a picture is called right
 inline constexpr double kExact = 0.97;  ///< of the samples that tell, where each value must be the same
 /// In a search every sixth sample stands for all, after every 48th has been explained well enough.
@@ -95,8 +96,10 @@ struct Fit {
   double informative = 0;  ///< share of these that it explains
   int faces = 0;           ///< that have those of these samples which it explains
   int against = 0;         ///< faces of whose samples it explains less than half
-  double off = 0;          ///< shades that it is off by, on the mean of the samples that tell
-  int places = 0;          ///< pairs of a right value and the picture's that the samples that tell have
+  /// Shades that it is off by, on the mean of the samples that tell; and of the others, which say how exact
+  /// the picture is.
+  double off = 0, noise = 0;
+  int places = 0;  ///< pairs of a right value and the picture's that the samples that tell have
 };
 
 /// Where a mistake shows most.
@@ -214,6 +217,7 @@ class Diagnoser {
   [[nodiscard]] bool isSame(const Read& yours, std::size_t sample, const Predicted& other) const;
   [[nodiscard]] double tolerance() const;
   [[nodiscard]] bool isTold(const Fit& fit) const;
+  [[nodiscard]] bool isContradicted(const Fit& fit) const;
   [[nodiscard]] bool tellsExactly() const;
   /// How well a way explains some samples, if `few` of them say so.
   [[nodiscard]] std::optional<Fit> promising(const std::vector<Predicted>& few, const Approach& way);

@@ -12,12 +12,14 @@ namespace xnewell {
 
 namespace {
 
-constexpr double kPlaced = 0.9;         ///< of the places where a face shows in either picture
-constexpr double kPlacedTwo = 0.93;     ///< the same, for two rows at once
-constexpr double kOutlinesOnly = 0.95;  ///< of the outlines, before a row of shading is tried with a view
-constexpr double kPlacedFew = 0.8;      ///< of every 16th place, before all are looked at
+constexpr double kPlaced = 0.9;          ///< of the places where a face shows in either picture
+constexpr double kPlacedTwo = 0.93;      ///< the same, for two rows at once
+constexpr double kOutlinesTell = 0.985;  ///< of the outlines, before they tell a view by themselves
+constexpr double kOutlinesOnly = 0.95;   ///< of the outlines, before a row of shading is tried with a view
+constexpr double kPlacedFew = 0.8;       ///< of every 16th place, before all are looked at
 constexpr std::size_t kMostPlaces = 12'000, kMostViews = 4, kFewPlaced = 16;
 constexpr double kOfFewFaces = 0.97;  ///< where kFewFaces show or less
+constexpr float kSteep = 12;          ///< values from a pixel to the next, of which a shade tells nothing
 constexpr int kFewPlaces = 30, kManyPlaces = 200, kFewFaces = 3;
 
 }  // namespace
@@ -67,7 +69,7 @@ Diagnoser::Score Diagnoser::scoreOf(const HandedIn& handed, const Seen& seen, co
     const bool theirs = !ground || colorAt(k) != *ground, ours = seen.face[k] != kNothing;
     if (!ours && (!theirs || !ground)) continue;
     ++score.counted, both += ours && theirs;
-    if (!ours || apart(yours, k, seen.shown[k]) > tolerance()) continue;
+    if (!ours || seen.shown[k].slope > kSteep || apart(yours, k, seen.shown[k]) > tolerance()) continue;
     ++hits, faces.insert(seen.face[k]);
   }
   const double share = score.counted > 0 ? 1.0 / score.counted : 0.0;
@@ -82,7 +84,8 @@ bool Diagnoser::decidePlaced(const HandedIn& handed, Diagnosis& d) {
   const Seen& rightly = seenBy(right);  // finds the places
   const Read yours = read(handed, places_, false);
   const Score asItIs = scoreOf(handed, rightly, yours);
-  const double least = asItIs.share + 0.02;
+  // A view explains at least half of what is not right.
+  const double least = asItIs.share + std::max(0.02, 0.5 * (1.0 - asItIs.share));
   std::vector<std::pair<Score, Fit>> views, pairs;
   // On this scene a row may change nothing: a window whose centre is on the axis has no shear to forget.
   const auto changesNothing = [&](const Seen& seen) {
@@ -103,25 +106,32 @@ bool Diagnoser::decidePlaced(const HandedIn& handed, Diagnosis& d) {
   const auto isFound = [&](const std::pair<Score, Fit>& one, double share) {
     const Score& score = one.first;
     if (score.share < share || score.share <= least || score.counted < kFewPlaces) return false;
-    if (score.overlap < 0.5) return false;  // what it calls ground is all over the faces, too
+    // What it calls ground is all over the faces, too; or the faces lie better as they are.
+    if (score.overlap < std::max(0.5, asItIs.overlap - 0.02)) return false;
     // Of one or two faces, the outline tells.
     const bool hasOutline = score.counted < 0.95 * score.known;
     return score.faces >= kFewFaces ||
            (score.share >= kOfFewFaces && score.counted >= kManyPlaces && hasOutline);
   };
-  const auto name = [&](std::vector<std::pair<Score, Fit>>& all, double share) {
-    std::ranges::stable_sort(all, {}, [](const auto& one) { return one.second.cost; });
-    std::set<std::pair<std::string_view, std::string_view>> names;
-    std::vector<Fit> found;
-    for (const auto& one : all)
-      if (isFound(one, share) && one.second.cost <= all.front().second.cost + kClass &&
-          names.insert({one.second.first->key, one.second.second ? one.second.second->key : ""}).second)
-        found.push_back(one.second);
+  const auto take = [&](const std::vector<Fit>& found) {
     if (found.empty() || found.size() > 6) return false;
     d.found = found;
     d.verdict = found.size() > 1 ? Marking::OneOf : Marking::Mistake;
     addPixel(d);
     return true;
+  };
+  const auto name = [&](std::vector<std::pair<Score, Fit>>& all, double share) {
+    std::ranges::stable_sort(all, {}, [](const auto& one) { return one.second.cost; });
+    std::set<std::pair<std::string_view, std::string_view>> names;
+    std::vector<Fit> found;
+    for (const auto& one : all) {
+      const Fit& fit = one.second;
+      const bool two = fit.second && fit.second->meaning == Meaning::Wrong;
+      if (isFound(one, share) && fit.cost <= all.front().second.cost + kClass &&
+          names.insert({fit.first->key, two ? fit.second->key : ""}).second)
+        found.push_back(fit);
+    }
+    return take(found);
   };
   if (name(views, kPlaced)) return true;
   std::ranges::stable_sort(views, {}, [](const auto& one) { return -one.first.overlap; });
@@ -149,7 +159,19 @@ bool Diagnoser::decidePlaced(const HandedIn& handed, Diagnosis& d) {
       pairs.emplace_back(score, fit);
     }
   }
-  return name(pairs, kPlacedTwo);
+  if (name(pairs, kPlacedTwo)) return true;
+  // Whatever the shades are, outlines that fit a view alone tell it.
+  std::erase_if(views, [&](auto& one) {
+    one.second.cost = 1.0 - one.first.overlap;
+    return one.first.overlap < std::max(kOutlinesTell, asItIs.overlap + 0.05) ||
+           one.first.counted < kManyPlaces || one.first.counted > 0.95 * one.first.known;
+  });
+  std::vector<Fit> found;
+  for (const auto& one : views)  // the best overlap first
+    if (one.second.cost <= views.front().second.cost + kClass / 2 &&
+        std::ranges::none_of(found, [&](const Fit& f) { return f.first->key == one.second.first->key; }))
+      found.push_back(one.second);
+  return take(found);
 }
 
 /// Of a picture of one colour, the views that put no face into it, or one all over it.
@@ -172,6 +194,7 @@ void Diagnoser::addWhatShowsNothing(const HandedIn& handed, Diagnosis& d) {
 
 /// A picture that is right inside faces may lie less than a pixel off, and only the edges of faces tell.
 void Diagnoser::decideByEdges(const HandedIn& handed, Diagnosis& d) {
+  constexpr int kFewElsewhere = 4;
   constexpr double kMost = 0.9, kAlmostAll = 0.98, kMoreThanHalf = 0.04;
   const Approach right = approachOf(d.found.front());
   const std::vector<int> exact = facesOf(right);
@@ -183,11 +206,12 @@ void Diagnoser::decideByEdges(const HandedIn& handed, Diagnosis& d) {
     const Approach way = approachWith(h, base.first);
     const std::vector<int>& faces = facesOf(way);
     OtherProgram program{model_, way};
-    int counted = 0, ours = 0, theirs = 0;
+    int counted = 0, ours = 0, theirs = 0, neither = 0;
     for (int j = 1; j + 1 < settings_.height; ++j)
       for (int i = 1; i + 1 < settings_.width; ++i) {
         const int a = exact[indexOf(i, j)], b = faces[indexOf(i, j)];
-        if (a == b || (a != kNothing && !rightly.canShow(a)) || (b != kNothing && !program.canShow(b)))
+        if ((a == b && isInside(exact, i, j)) || (a != kNothing && !rightly.canShow(a)) ||
+            (b != kNothing && !program.canShow(b)))
           continue;
         const DiagnosedSample s{i, j, 0};
         const Read yours = read(handed, {&s, 1}, false);
@@ -195,13 +219,15 @@ void Diagnoser::decideByEdges(const HandedIn& handed, Diagnosis& d) {
         nothing.shows = false;
         const double fromRight = apart(yours, 0, a == kNothing ? nothing : predictedAt(rightly, s, a)),
                      fromOther = apart(yours, 0, b == kNothing ? nothing : predictedAt(program, s, b));
+        neither += a == b && fromRight > tolerance();
         if ((fromRight <= tolerance()) == (fromOther <= tolerance())) continue;
         ++counted, (fromOther <= tolerance() ? ours : theirs) += 1;
       }
     const double share = counted > 0 ? static_cast<double>(ours) / counted : 0.0;
     // Half a pixel is allowed, and not far from a viewport that is too small.
     const double most = h.meaning == Meaning::Allowed ? best : std::max(kAlmostAll, best + kMoreThanHalf);
-    if (counted < 2 * kFewPlaces || share <= most) continue;
+    // A picture that is farther off than this row differs at other edges, too.
+    if (counted < 2 * kFewPlaces || share <= most || neither * kFewElsewhere > ours) continue;
     best = share;
     Fit fit{.first = &h, .explained = base.explained, .telling = counted, .informative = share};
     if (base.first->meaning == Meaning::Allowed) fit.second = base.first;

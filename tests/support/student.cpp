@@ -251,9 +251,9 @@ class Drawing {
     if (has("n-times")) highlight = ks * s.n * shine;
     if (has("ks-in-the-power")) highlight = std::pow(ks * shine, s.n);
     if (has("spec-times-NL")) highlight *= facing;
-    if (p_.mistake.starts_with("off-"))
-      return offList(p_.mistake,
-                     {N, L, V, P, NL, dotOf(N, V), RV, d, f, w_.Ip, w_.Ia, s.ka, s.kd, s.ks, s.n});
+    if (const std::string& off = p_.mistake.starts_with("off-") ? p_.mistake : p_.second;
+        off.starts_with("off-"))
+      return offList(off, {N, L, V, P, NL, dotOf(N, V), RV, d, f, w_.Ip, w_.Ia, s.ka, s.kd, s.ks, s.n});
     const bool asks = !has("highlight-behind") && !(p_.flows && has("NL-unclamped"));
     if (NL <= 0 && asks) highlight = 0;
     if (has("spec-forgotten")) highlight = 0;

@@ -107,6 +107,7 @@ struct Viewing {
     S.m[0][0] = 1 / (high * wide * B), S.m[1][1] = 1 / (high * B), S.m[2][2] = 1 / B;
     if (has("flip-y") || has("turned-180")) S.m[1][1] *= -1;
     if (has("flip-x") || has("turned-180")) S.m[0][0] *= -1;
+    if (has("opengl")) S.m[0][0] *= B, S.m[1][1] *= B;  // w is the distance itself
     const double least = w.front / B;
     Matrix M;
     M.m[2][2] = 1 / (1 - least), M.m[2][3] = least / (1 - least), M.m[3][2] = -1, M.m[3][3] = 0;

@@ -122,8 +122,13 @@ Confusion confusionOn(const std::string& scene) {
       for (const std::string& key : students.keys(Meaning::Wrong)) {
         const Diagnosis d = students.diagnosed({.mistake = key});
         all.count(key, d);
-        if (getenv("DUMP") && !d.found.empty()) {const Fit& f = d.found[0]; const Hypothesis* h=f.first; 
-        printf("PLANT %s %s %s x%.4f i%.4f t%d f%d c%.4f a%d o%.4f\n", std::string{rowOf(method).name}.c_str(), key.c_str(), std::string{h->key}.c_str(), f.explained, f.informative, f.telling, f.faces, f.cost, f.against, f.off);}
+        if (getenv("DUMP") && !d.found.empty()) {
+          const Fit& f = d.found[0];
+          const Hypothesis* h = f.first;
+          printf("PLANT %s %s %s x%.4f i%.4f t%d f%d c%.4f a%d o%.4f\n",
+                 std::string{rowOf(method).name}.c_str(), key.c_str(), std::string{h->key}.c_str(),
+                 f.explained, f.informative, f.telling, f.faces, f.cost, f.against, f.off);
+        }
         if (d.verdict == Marking::OneOf)
           all.oneNameByCells += students.diagnosed({.mistake = key}, true).verdict == Marking::Mistake;
         all.invisible += students.isInvisible(key, 0.5);
@@ -179,7 +184,8 @@ TEST(Diagnose, HasNoNameForWhatIsNotInTheList) {
           if (f.number) misnamed += "=" + std::to_string(f.number->is);
           misnamed += " x" + std::to_string(f.explained) + " i" + std::to_string(f.informative) + " t" +
                       std::to_string(f.telling) + " f" + std::to_string(f.faces) + " c" +
-                      std::to_string(f.cost) + " a" + std::to_string(f.against) + " o" + std::to_string(f.off) + "]";
+                      std::to_string(f.cost) + " a" + std::to_string(f.against) + " o" +
+                      std::to_string(f.off) + "]";
         }
         misnamed += '\n';
       }

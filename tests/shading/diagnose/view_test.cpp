@@ -129,6 +129,47 @@ TEST(View, NamesThePlantedMistake) {
   EXPECT_GE(named * 100, planted * 92) << planted << '\n' << others;
 }
 
+// A camera that is a little off is none of the mistakes, and neither is a light that is.
+TEST(View, HasNoNameForACameraThatIsOff) {
+  int pictures = 0, named = 0;
+  std::string misnamed;
+  for (const Looks& looks : someOf(kLooks, 1))
+    for (const double by : {-0.006, 0.01, 0.05})
+      for (int what = 0; what < 4; ++what) {
+        Viewer viewer{looks};
+        student::World& w = viewer.world;
+        if (what == 0) w.fov *= 1 + by;
+        if (what == 1) w.eye[0] += 3 * by, w.eye[2] -= by;
+        if (what == 2) w.at[1] += 2 * by;
+        if (what == 3) w.up[0] += by, w.up[1] += 2 * by;
+        const Diagnosis d = viewer.diagnosed("");
+        ++pictures;
+        if (d.verdict != Marking::Mistake && d.verdict != Marking::OneOf) continue;
+        ++named;
+        misnamed += looks.scene + ' ' + std::to_string(what) + ' ' + std::to_string(by) + ' ' +
+                    std::string{d.found[0].first->key} + '\n';
+      }
+  EXPECT_EQ(named, 0) << pictures << '\n' << misnamed;
+}
+
+// Where the shades are wrong in a way that no list has, the outlines tell the view alone.
+TEST(View, IsToldWhateverTheShades) {
+  Viewer viewer{kLooks[0]};
+  for (const std::string key :
+       {"flip-y", "aspect-forgotten", "fov-not-halved", "shear-negated", "fov-horizontal"})
+    for (const std::string shades : {"off-minnaert", "off-fog", "off-half-lambert"}) {
+      viewer.program.second = shades;
+      const Diagnosis d = viewer.diagnosed(key);
+      EXPECT_TRUE(std::ranges::any_of(d.found, [&](const Fit& f) { return f.first->key == key; }))
+          << key << ' ' << shades << ' ' << (d.found.empty() ? "" : d.found[0].first->key);
+      EXPECT_EQ(std::ranges::count(d.found, key, [](const Fit& f) { return f.first->key; }), 1) << key;
+    }
+  viewer.program.second = "";  // as with the matrices of OpenGL
+  const Diagnosis d = viewer.diagnosed("w-not-divided", "opengl");
+  ASSERT_EQ(d.verdict, Marking::Mistake);
+  EXPECT_EQ(d.found[0].first->key, "w-not-divided");
+}
+
 // Other conventions that give the same picture are right: with a centred window, too.
 TEST(View, AccusesNoOtherConvention) {
   for (const Looks& looks : kLooks)
