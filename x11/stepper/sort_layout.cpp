@@ -85,13 +85,13 @@ SortLayout layoutOfSort(const Rect& body, bool shut, bool own) {
       at.ring = {right, below, at.finding.width, room};
   }
   const int first = shut ? 3 : at.line + 3;  // the headline has the first line
-  const auto inRows = [&](const auto& names, auto& places, int gap, int below) {
+  const auto inRows = [&](const auto& names, auto& places, int apart, int below) {
     int x = at.finding.x + 13, y = at.finding.y + first;
     for (std::size_t k = 0; k < names.size(); ++k) {
       const int width = kKeyCap + 6 + textWidth(names[k]);
       if (x + width > at.finding.x + at.finding.width) x = at.finding.x + 13, y += at.line + below;
       places[k] = {x, y, width, at.line + 2};
-      x += width + gap;
+      x += width + apart;
     }
   };
   inRows(kAnswers, at.answers, shut ? 14 : 20, 0);
