@@ -63,12 +63,15 @@ GroundTruth::GroundTruth(const Picture& of, const FineScene& fine) : reference_{
   if (fine) polygons_.emplace(of);
 }
 
+bool CachedGroundTruth::knows(const Picture& picture) const {
+  return truth_ && &of_->scene() == &picture.scene() && of_->camera() == picture.camera() &&
+         modelOf(*of_) == modelOf(picture);
+}
+
 const GroundTruth& CachedGroundTruth::of(const Picture& picture) {
-  const bool sameScene = of_ && &of_->scene() == &picture.scene();
-  if (truth_ && sameScene && of_->camera() == picture.camera() && modelOf(*of_) == modelOf(picture))
-    return *truth_;
+  if (knows(picture)) return *truth_;
   truth_.reset();
-  if (!sameScene) fine_ = fineSceneOf(picture.scene());
+  if (!of_ || &of_->scene() != &picture.scene()) fine_ = fineSceneOf(picture.scene());
   of_ = picture;
   return truth_.emplace(picture, fine_);
 }

@@ -185,6 +185,8 @@ class GroundTruth {
 class CachedGroundTruth {
  public:
   [[nodiscard]] const GroundTruth& of(const Picture& picture);
+  /// True if of() has nothing to make.
+  [[nodiscard]] bool knows(const Picture& picture) const;
 
  private:
   std::optional<Picture> of_;  ///< keeps its scene alive, so that its address tells it

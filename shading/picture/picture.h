@@ -107,7 +107,7 @@ class Picture {
 
  private:
   friend class PictureCache;
-  explicit Picture(Shared<Scene> scene) : scene_{std::move(scene)} {}
+  explicit Picture(const Shared<Scene>& scene) : scene_{scene}, unlit_{scene} {}
 
   /// Calls span(row, from, to, face) for runs of samples in rows [firstRow, endRow) that show one of
   /// snapped().faces. Later calls paint over earlier ones.
@@ -127,6 +127,7 @@ class Picture {
 
   // The results, in the order of the stages.
   Shared<Scene> scene_;
+  Shared<Scene> unlit_;  ///< the same with its own lights
   PictureSettings settings_;
   Camera camera_;
   SceneShading shading_;

@@ -39,7 +39,15 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
     return !last_ || ((wanted.*member != last_->settings_.*member) || ...);
   };
   using Asked = PictureSettings;
-  const Scene& scene = *scene_;
+  if (changed(&Asked::lights)) {
+    next.scene_ = scene_;
+    if (wanted.lights) {
+      Scene lit = *scene_;
+      lit.light.lights = *wanted.lights;
+      next.scene_ = std::move(lit);
+    }
+  }
+  const Scene& scene = *next.scene_;
   const int width = wanted.width, height = wanted.height;
   next.settings_ = wanted;
   const PictureSettings inScene = inSceneUnits(wanted, scene);

@@ -16,7 +16,7 @@ class PictureCache {
   /// All pictures have this camera, whatever their settings say of it.
   PictureCache(Shared<Scene> scene, const Camera& camera) : scene_{std::move(scene)}, camera_{camera} {}
   /// Begins with an existing picture, for example to try another method or order in the same view.
-  explicit PictureCache(const Picture& last) : scene_{last.scene_}, last_{last} {}
+  explicit PictureCache(const Picture& last) : scene_{last.unlit_}, last_{last} {}
 
   /// Runs all stages of a picture. If `ground` is given, the image is painted, with that cell as its
   /// background. Otherwise no new image is painted, which saves most of the time. @throws ViewError, and

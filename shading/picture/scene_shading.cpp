@@ -66,7 +66,7 @@ SceneShading SceneShading::next(const Scene& scene, const PictureSettings& setti
   const bool keepsIntensities = settings.shading == Shading::Flat || settings.shading == Shading::Gouraud;
   const bool hasMaps = settings.shading == Shading::Environment;
   SceneShading next = *this;
-  Light light{settings.light, channels};
+  Light light{settings.light, channels, settings.lights};
   // A map does not show textures, and it has a formula of its own.
   if (hasMaps) light.light.texel = TexelUse::Multiplies, light.light.mistake = Mistake::None;
 

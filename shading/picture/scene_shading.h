@@ -86,6 +86,7 @@ class SceneShading {
   struct Light {
     Illumination light;
     Channels channels;
+    std::optional<std::vector<xnewell::Light>> lights = {};  ///< PictureSettings::lights
     std::optional<Eye> eye = {};  ///< with a mistake, any term may ask for it
     bool operator==(const Light&) const = default;
   };

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "depthsort/depth_sort.h"
 #include "depthsort/order.h"
 #include "geometry/model/vertex_normals.h"
@@ -19,6 +22,8 @@ struct PictureSettings {
   int width = 800, height = 600;  ///< pixels, 1..kMaxPicture
   CameraSettings camera;
   Illumination light;
+  /// In the place of the scene's own lights, and in its units (light.h); none: as the scene has them.
+  std::optional<std::vector<Light>> lights = {};
   Shading shading = Shading::Flat;
   NormalRule normals = NormalRule::Exact;
   double crease = 180;  ///< degrees; see smoothVertices()

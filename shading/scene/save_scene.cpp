@@ -1,8 +1,10 @@
 #include "shading/scene/save_scene.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "shading/scene/settings.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
 
@@ -63,6 +65,27 @@ Json shading(const PictureSettings& settings) {
   return all;
 }
 
+Json json(const Light& light, const Scene& scene) {
+  Json json;
+  json["kind"] = kLights[static_cast<std::size_t>(light.kind)].name;
+  json["Ip"] = list(light.Ip);
+  if (light.kind == LightKind::Directional) {
+    json["towards"] = list(light.direction);
+    return json;
+  }
+  const auto length = [&](double v, int power) { return std::ldexp(v, power * scene.exponent); };
+  json["at"] = list(inFileUnits(light.position, scene));
+  json["attenuation"] = kAttenuations[static_cast<std::size_t>(light.attenuation)].name;
+  if (light.attenuation == Attenuation::Linear) json["range"] = length(light.range, 1);
+  if (light.attenuation == Attenuation::Textbook)
+    json["c"] = {light.c.x, length(light.c.y, -1), length(light.c.z, -2)};
+  if (light.kind == LightKind::Spot) {
+    json["shines"] = list(light.direction);
+    json["inner"] = light.inner, json["outer"] = light.outer, json["falloff"] = light.falloff;
+  }
+  return json;
+}
+
 /// The path relative to `folder` if the file is inside that folder; otherwise the absolute path.
 std::string seenFrom(const std::filesystem::path& folder, const std::string& file) {
   namespace fs = std::filesystem;
@@ -83,6 +106,9 @@ std::string savedScene(const Scene& scene, const PictureSettings& settings,
   json["divisions"] = origin.divisions;
   if (!origin.without.empty()) json["without"] = origin.without;
   if (!origin.texture.empty()) json["texture"] = seenFrom(folder, origin.texture);
+  if (settings.lights || origin.relit)
+    for (const Light& light : settings.lights.value_or(scene.light.lights))
+      json["lights"].push_back(xnewell::json(light, scene));
   json["camera"] = camera(settings.camera);
   json["shading"] = shading(settings);
   return json.dump(2) + "\n";

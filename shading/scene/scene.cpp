@@ -258,7 +258,7 @@ void strip(Scene& scene, std::string_view what) {
   for (MeshMaterial& m : scene.mesh.materials)
     end("ka", m.ka), end("kd", m.kd), end("ks", m.ks), end("n", m.n);
   end("ambient", scene.light.Ia);
-  if (what == "lights") had = !std::exchange(scene.light.lights, {}).empty();
+  if (what == "lights") had = !std::exchange(scene.light.lights, {}).empty(), scene.origin.relit = false;
   if (had) scene.origin.without.emplace_back(what);
 }
 

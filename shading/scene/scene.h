@@ -45,6 +45,7 @@ struct SceneOrigin {
   int divisions = 0;                      ///< the divisions that were asked for
   std::vector<std::string> without = {};  ///< what strip() removed, in words of kStrippable
   std::string texture = {};               ///< the file of the texture that wear() applied; "" for none
+  bool relit = false;                     ///< its lights are those of the set-up that named it
 };
 
 /// What is drawn over a scene's picture: edges of its model, and lines and words that have a place in space,

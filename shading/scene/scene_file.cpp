@@ -174,11 +174,15 @@ void expectOnce(const Scene& scene, const Node& root) {
     shading.at("attenuation").fail(std::string{kOwnAttenuation});
 }
 
-/// Reads "ambient" and "lights" of a scene file (scene_file.h) into scene units. Ia + the sum of Ip must not
-/// exceed 1; if the scene's own light leaves less than the Ia and Ip of scene.settings, these are lowered to
-/// fit. @throws ParseError
+/// Reads "ambient" and "lights" of a scene file (scene_file.h) into scene units, or the "lights" of a set-up,
+/// which take the place of those of the scene that it names. Ia + the sum of Ip must not exceed 1; if the
+/// scene's own light leaves less than the Ia and Ip of scene.settings, these are lowered to fit.
+/// @throws ParseError
 void readLight(Scene& scene, const Node& root) {
   Illumination& user = scene.settings.light;
+  const bool isSetup = root.has("scene");
+  if (isSetup && !root.has("lights")) return;
+  if (isSetup) scene.light.lights.clear(), scene.origin.relit = true;
   if (root.has("ambient")) scene.light.Ia = root.at("ambient").grayOrColor();
   glm::dvec3 sum = scene.light.Ia.value_or(glm::dvec3{0.0});
   if (root.has("lights")) {
@@ -203,7 +207,7 @@ void readLight(Scene& scene, const Node& root) {
       sum += scene.light.lights[k].Ip;
     }
   }
-  expectOnce(scene, root);
+  if (!isSetup) expectOnce(scene, root);
   check(sum, root);
   const auto checkWith = [&](const char* key, double I) {
     if (root.has("shading") && root.at("shading").has(key)) check(sum + I, root.at("shading").at(key));
@@ -216,7 +220,7 @@ void readLight(Scene& scene, const Node& root) {
 
 /// Reads the scene of a set-up. Such a file names another scene instead of listing its own objects.
 Scene otherScene(const Node& root, const std::filesystem::path& folder, int divisions) {
-  root.expectKeys({"shows", "scene", "divisions", "without", "texture", "camera", "shading"});
+  root.expectKeys({"shows", "scene", "divisions", "without", "texture", "lights", "camera", "shading"});
   const Node other = root.at("scene");
   if (root.has("divisions")) divisions = root.at("divisions").whole(1, kMaxDivisions);
   const std::string of = isBuiltIn(other.text()) ? other.text() : namedFile(folder, other.text()).string();
@@ -291,7 +295,7 @@ Scene parseSceneFile(std::string_view text, const std::string& name, const std::
     expectCounts(scene.settings, scene.light, root.at("shading"));
     if (!other) expectDivides(scene.settings, root.at("shading"));
   }
-  if (!other) readLight(scene, root);
+  readLight(scene, root);
   return scene;
 }
 

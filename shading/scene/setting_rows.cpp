@@ -39,6 +39,8 @@ static std::vector<Setting> methodRows() {
       {.key = "crease",
        .option = "--crease",
        .label = "crease",
+       .control = 'R',
+       .section = Section::Method,
        .is = "largest angle between faces that share a vertex normal",
        // A short cut like `normals`: it tells where to guess that polygons stand for a smooth surface. Where
        // that surface is known, its own normals are used, and elsewhere the polygons are all that is known.
@@ -46,6 +48,7 @@ static std::vector<Setting> methodRows() {
        .field = holds([](auto& s) -> auto& { return s.crease; }),
        .range = {0, 180},
        .unit = "degrees",
+       .slider = Slider{0, 180, 2},
        .trials = {0, 30, 180},
        .need =
            {creased,

@@ -110,6 +110,7 @@ std::vector<ItemCost> itemCostsOf(const Picture& picture, const TimingLimits& li
     ways.push_back([&picture, without] {
       Scene scene = picture.scene();
       PictureSettings settings = picture.settings();
+      settings.lights.reset();  // the scene has them
       if (without != nullptr) without(scene, settings);
       PictureCache pictures{std::move(scene)};
       return timeOf([&] { (void)pictures.make(settings, picture.ground()); });

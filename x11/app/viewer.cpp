@@ -168,7 +168,7 @@ class Viewer {
   [[nodiscard]] glm::ivec2 firstSize(const Options& options) const {
     if (options.size) return *options.size;
     const glm::ivec2 wanted = options.gave("--scale") ? windowSize(options) : kWindowSize * usualScale();
-    return glm::max(kWindowSize, glm::min(wanted, screenSize(display())));
+    return glm::min(wanted, screenSize(display()));
   }
 
   static std::string titleOf(const Scene& scene) { return "xnewell: " + scene.name; }

@@ -6,6 +6,7 @@
 
 #include "geometry/exact/give_up.h"
 #include "shading/laboratory/exactness.h"
+#include "x11/app/mistake_game.h"
 #include "x11/pixel/pixel_view.h"
 #include "x11/scanline/scanline_view.h"
 #include "x11/sides/side_by_side_view.h"
@@ -14,6 +15,7 @@
 #include "x11/trade/trade_view.h"
 #include "x11/viewing/viewing_view.h"
 #include "x11/views/color_strip.h"
+#include "x11/window/caption.h"
 #include "x11/window/colors_view.h"
 #include "x11/window/mach_bands_view.h"
 #include "x11/window/no_effect.h"
@@ -42,12 +44,13 @@ Workbench::Workbench(Scene scene, const Setup& setup, Server server)
     return bench;
   };
   const auto subject = [this] { return this->subject(); };
-  picture_ = own(View::Picture, std::make_unique<PictureView>(*this, subject, [this] {
-                   std::vector<bool> done;
-                   for (const LessonEntry& lesson : lessons_->entries())
-                     done.push_back(!lessons_->score(lesson.name).empty());
-                   return done;
-                 }));
+  const auto done = [this] {
+    std::vector<bool> begun;
+    for (const LessonEntry& lesson : lessons_->entries())
+      begun.push_back(!lessons_->score(lesson.name).empty());
+    return begun;
+  };
+  picture_ = own(View::Picture, std::make_unique<PictureView>(*this, subject, done, [this] { play(); }));
   stepper_ = own(View::DepthSort, std::make_unique<SortView>(*this));
   colors_ = own(View::Colors, std::make_unique<ColorsView>(*this));
   bands_ = own(View::MachBands, std::make_unique<MachBandsView>(*this, subject));
@@ -142,19 +145,14 @@ void Workbench::close() {
 }
 
 void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
-  if (const std::string why = ownOfScene(control, scene()); !why.empty()) return notify(why);
+  if (const std::string why = ownOfScene(control, work_.setup, scene()); !why.empty()) return notify(why);
   Setup next = work_.setup;
   edit(next);
   if (const std::string_view why = keepFillable(next); !why.empty()) notify(std::string{why});
   if (next == work_.setup) return;
   work_.change(control, next);
   if (!shown_) return;
-  const std::string why = whyNoEffect(control, picture(), next);
-  if (const MistakeRow& row = rowOf(next.picture.light.mistake); control == 'E' && why.empty())
-    notify(row.id == Mistake::None ? "The equation is right again."
-                                   : "The equation has a mistake now: " + std::string{row.words} +
-                                         ". E puts in the next one, u takes it back.");
-  if (!why.empty()) notify(why);
+  if (const std::string why = whyNoEffect(control, picture(), next); !why.empty()) notify(why);
 }
 
 void Workbench::switchTo(View view) {
@@ -167,6 +165,32 @@ void Workbench::switchTo(View view) {
   view_ = view;
   layOut();
   bench().enter();
+}
+
+void Workbench::visit(View view) {
+  if (!layout_.roomy) {
+    const glm::ivec2 least = kLeastWindow * layout_.unit;
+    return notify("View " + std::string{rowOf(view).key} + ", " + std::string{rowOf(view).title} +
+                  ", needs a window of " + std::to_string(least.x) + " x " + std::to_string(least.y) + ".");
+  }
+  switchTo(view);
+  // In view 0 a value runs along a row, unless somebody has chosen a method without one.
+  const PictureSettings& now = work_.setup.picture;
+  if (view != View::Scanline || before_ || std::exchange(sawScanline_, true) ||
+      work_.setup.fill != Fill::Scanline || now.shading != Shading::Flat ||
+      now.shading != work_.defaults.picture.shading)
+    return;
+  change('S', [](Setup& s) { s.picture.shading = Shading::Gouraud; });
+  tell("Here the polygon is shaded by Gouraud, so that I runs along the rows. u takes it back.");
+}
+
+void Workbench::play() {
+  if (!shown_) return;
+  try {
+    teach(mistakeGame(picture().scene(), sized(), ++games_));
+  } catch (const std::invalid_argument& e) {
+    notify(e.what());
+  }
 }
 
 void Workbench::goTo(const WindowPlace& place) {
@@ -244,6 +268,11 @@ void Workbench::follow(const Pointed& link) {
       return explainFirst(
           shown.image().pixels, [&](int cell) { return cell == link.number; },
           "No sample of this picture shows cell " + std::to_string(link.number) + ".");
+    case Lead::Right: {
+      Setup right = work_.setup;
+      right.picture.light.mistake = Mistake::None;
+      return compare(right);
+    }
     case Lead::None:
       return;
   }
@@ -324,7 +353,7 @@ bool Workbench::grab(int x, int y) {
   if (lecture_) lecture_->wait();
   line_.cancel();
   x /= layout_.unit, y /= layout_.unit;
-  if (const std::optional<View> tab = tabAt(layout_, x, y)) return switchTo(*tab), false;
+  if (const std::optional<View> tab = tabAt(layout_, x, y)) return visit(*tab), false;
   if (!isDrawn()) return false;
   work_.endStep();
   return bench().grab(x, y);
@@ -453,6 +482,8 @@ void Workbench::drawFrame(bool dragging) {
             .selected = view.selectedOutOfSight(),
             .status = view.status(),
             .aside = view.aside(),
+            .picture = view.picture(layout_),
+            .mistake = this->view() == View::Lesson ? "" : mistakeIn(work_.setup),
             .notice = notice_,
             .told = told_,
             .hint = pointed_ ? pointed_->says : "",

@@ -267,6 +267,10 @@ class Workbench : public Host {
   void follow(const Pointed& link);
   /// Goes to the place before.
   void goBack();
+  /// Switches to a view that the user asked for, or says why it cannot be shown.
+  void visit(View view);
+  /// Begins a game about the picture (mistake_game.h).
+  void play();
   /// True if the window shows the scene of a lesson's step in another view.
   [[nodiscard]] bool visitsFromLesson() const { return before_ && view() != View::Lesson; }
   /// Notifies the user if there was nothing to undo or redo.
@@ -292,8 +296,10 @@ class Workbench : public Host {
   int width_ = 0, height_ = 0;     ///< of the window, in pixels
   int unit_ = 1;                   ///< the scale, unless the window fills the screen
   bool fillsScreen_ = false, largest_ = false, scaleIsChosen_ = false;
-  bool shut_ = false;  ///< the user has put the controls away
-  std::string few_;    ///< the keys of the controls that a page of a lecture names; "": all
+  bool sawScanline_ = false;
+  unsigned games_ = 0;  ///< how many were played: the seed of the next
+  bool shut_ = false;   ///< the user has put the controls away
+  std::string few_;     ///< the keys of the controls that a page of a lecture names; "": all
   std::optional<Lecture> lecture_;
   Layout layout_;
   PanelState panel_;

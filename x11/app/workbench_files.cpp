@@ -78,7 +78,9 @@ std::string Workbench::pictureName() const {
 std::string Workbench::pictureNote() const {
   if (view() == View::Lesson) {
     const Lesson* const lesson = lessons_->showsList() ? nullptr : lessons_->lesson();
-    return lesson ? lessonNote(lesson->source, {width_, height_}, layout_.unit, lessons_->step() + 1) : "";
+    return lesson && !lesson->source.empty()
+               ? lessonNote(lesson->source, {width_, height_}, layout_.unit, lessons_->step() + 1)
+               : "";
   }
   PictureSettings settings = work_.setup.picture;
   const PictureSettings shown = sized();

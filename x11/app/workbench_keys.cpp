@@ -3,6 +3,7 @@
 
 #include "x11/app/workbench.h"
 #include "x11/window/drawer.h"
+#include "x11/window/picture_view.h"
 
 namespace xnewell {
 
@@ -83,7 +84,7 @@ KeyTable Workbench::generalKeys() {
     });
   add('Z', "", "larger letters and controls; after the largest, the smallest", [this] { takeNextScale(); });
   for (const ViewRow& row : kWindowViews)
-    add(row.key, "", "the views; or click their names", [this, id = row.id] { switchTo(id); });
+    add(row.key, "", "the views; or click their names", [this, id = row.id] { visit(id); });
   add('q', "quit", "quit", [this] { quit(); });
   add('?', "all keys", "open this list, close it", [this] { help_ = !help_; });
   return table;

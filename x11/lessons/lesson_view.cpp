@@ -56,8 +56,10 @@ void LessonView::openFigure() {
   Setup first;
   first.picture = state_.figure.settings;
   Scene scene = *state_.figure.scene;
-  scene.name = "lesson " + std::to_string(lesson_->number) + " of " +
-               std::to_string(lessons_.entries().size()) + " \u00B7 " + lesson_->title;
+  scene.name = lesson_->title;
+  if (lesson_->number > 0)  // a game has none
+    scene.name = "lesson " + std::to_string(lesson_->number) + " of " +
+                 std::to_string(lessons_.entries().size()) + " \u00B7 " + lesson_->title;
   opened_ = true;
   drawn_.reset();
   host_.open(std::move(scene), first);

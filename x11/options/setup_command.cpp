@@ -137,6 +137,8 @@ std::string SetupCommand::cameraOf(const PictureSettings& settings) const {
 
 std::string SetupCommand::of(const PictureSettings& settings, int divisions, Fill fill,
                              const Drawing& drawing) const {
+  if (settings.lights || scene_.origin.relit)
+    throw ViewError{"no options can say the lights that were changed; save the set-up as a file (w)"};
   const bool server = fill == Fill::XFillPolygon;
   std::string command = server || drawing.wholeWindow ? "xnewell snapshot " : "xnewell draw ";
   command += quoted(asFile(scene_.origin.of));

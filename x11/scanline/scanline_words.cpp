@@ -300,7 +300,7 @@ std::string stepText(const ScanlineRun& run, int step) {
   if (step == 0) return "before the first sample";
   const ScanSample& sample = run.samples()[static_cast<std::size_t>(step - 1)];
   return "row " + std::to_string(run.spanOf(sample).row) + ", pixel " + std::to_string(sample.column) +
-         ": value " + steppedText(sample.stepped, 4) + ", cell " + std::to_string(sample.steppedCell);
+         ": value " + steppedText(sample.stepped, 2) + ", cell " + std::to_string(sample.steppedCell);
 }
 
 std::vector<std::string> scanAsLines(const ScanlineRun& run, int step, const ScanlineRun* eight) {

@@ -14,9 +14,11 @@ bool isSame(const Scene& a, const Scene& b) {
   return &a == &b || (a.name == b.name && a.mesh.points == b.mesh.points && a.mesh.corners == b.mesh.corners);
 }
 
-/// The order that is worth comparing with that of A: an exact one with an inexact one, and the reverse.
+/// What is worth comparing with A: the right equation with a mistake, or an exact order with an inexact one,
+/// and the reverse.
 Setup lessonBeside(const Setup& A) {
   Setup B = A;
+  if (std::exchange(B.picture.light.mistake, Mistake::None) != Mistake::None) return B;
   B.picture.order = rowOf(A.picture.order).exact ? Order::ZSort : Order::Newell;
   return B;
 }
@@ -59,12 +61,13 @@ Setup SideBySideView::beside(const Setup& A) const {
   const PictureSettings &before = a_->picture, &now = A.picture;
   PictureSettings& b = B.picture;
   b.width = now.width, b.height = now.height;
-  b.camera = now.camera;
+  b.camera = now.camera, b.lights = now.lights;
   B.fill = A.fill;
   if (joins_) {
     const std::vector<Override> own = differing(b, before);
     b = now;
     (void)applyOverrides(b, own);
+    if (b.light.mistake == now.light.mistake) b.light.mistake = Mistake::None;  // right and wrong
   }
   (void)keepFillable(B);
   return B;
@@ -241,14 +244,19 @@ void SideBySideView::leave() {
   WindowView::leave();
 }
 
-bool SideBySideView::late(const Setup&) const { return told() != drawn_ || list_.late(); }
+bool SideBySideView::late(const Setup&) const { return told() != drawn_ || list_.late() || owes_; }
+
+CachedGroundTruth& SideBySideView::truthOf(const Picture& picture) {
+  const auto model = [](const PictureSettings& s) { return std::pair{s.light, s.lights}; };
+  return truths_[model(picture.settings()) == model(host_.setup().picture) ? 0 : 1];
+}
 
 Picture SideBySideView::makeB(const DrawContext& context) {
   if (!picturesB_ || !isSame(picturesB_->scene(), context.picture.scene())) {
     if (picturesB_) b_ = lessonBeside(context.setup), before_.clear();
     picturesB_.emplace(context.picture);
     measuredA_ = measuredB_ = {};
-    placed_.reset();
+    placed_.reset(), announced_.reset();
   }
   const PictureSettings& A = context.picture.settings();
   coarse_ = context.coarse || (context.dragging && slow_);
@@ -285,9 +293,8 @@ void SideBySideView::measure(const Picture& A, const Picture& B) {
     return std::swap(measuredA_, measuredB_);
   const std::array<BestTime, 2> times = timesOf(A.scene(), A.settings(), B.settings());
   const auto measured = [&](const Picture& picture, const BestTime& time) {
-    return Measured{picture.settings(), comparedWithReference(picture, truth_.of(picture)).difference,
-                    static_cast<std::int64_t>(picture.sorted().fragments.size()),
-                    picture.sorted().statistics.splits, time};
+    return Measured{picture.settings(),
+                    comparedWithReference(picture, truthOf(picture).of(picture)).difference, time};
   };
   measuredA_ = measured(A, times[0]), measuredB_ = measured(B, times[1]);
 }
@@ -296,9 +303,14 @@ void SideBySideView::draw(Painter paint, const DrawContext& context) {
   follow(context.setup);
   at_ = layoutOfSides(context.layout.body);
   const Picture pictureB = makeB(context);
-  if (!context.dragging) measure(context.picture, pictureB);
-
   const PictureSettings &ofA = context.picture.settings(), &ofB = pictureB.settings();
+  // The truth may take seconds. So this shows first what is ready, and measures once in the next drawing.
+  const bool isQuick = truthOf(context.picture).knows(context.picture) && truthOf(pictureB).knows(pictureB);
+  if (!context.dragging && !isQuick && announced_ != std::pair{ofA, ofB})
+    announced_ = {ofA, ofB}, owes_ = true;
+  else if (!context.dragging && (std::exchange(owes_, false) || isQuick))
+    measure(context.picture, pictureB);
+
   const auto own = [&](const Picture& picture, TableKind kind) {
     const Palette palette = picture.palette(CellPlan{kind});
     return context.gray ? forGrayScreen(palette, picture) : palette;
@@ -332,6 +344,12 @@ void SideBySideView::draw(Painter paint, const DrawContext& context) {
   std::string pairs;
   for (const PairRow& row : kPairs) pairs += (pairs.empty() ? "" : ", ") + std::string{row.name};
   if (textWidth(pairs) + 21 > at_.numbers.width) pairs = "next pair: " + std::string{kPairs[pair_].name};
+  const auto factsOfSide = [](const Picture& picture, const PictureSettings& asked,
+                              const PictureSettings& other, const Measured& measured) {
+    return SideFacts{phrasesOf(asked, other), measured.errors,
+                     static_cast<std::int64_t>(picture.sorted().fragments.size()),
+                     picture.sorted().statistics.splits, measured.time};
+  };
   paint.fillRect(context.layout.body, context.plan[Cell::Paper]);
   const bool known = measuredA_.of == ofA && measuredB_.of == ofB;
   words_ = drawSidesPage(
@@ -339,10 +357,8 @@ void SideBySideView::draw(Painter paint, const DrawContext& context) {
       {.A = one.A,
        .B = one.B,
        .unlike = unlike,
-       .ofA = {phrasesOf(askedA, askedB), measuredA_.errors, measuredA_.painted, measuredA_.cuts,
-               measuredA_.time},
-       .ofB = {phrasesOf(askedB, askedA), measuredB_.errors, measuredB_.painted, measuredB_.cuts,
-               measuredB_.time},
+       .ofA = factsOfSide(context.picture, askedA, askedB, measuredA_),
+       .ofB = factsOfSide(pictureB, askedB, askedA, measuredB_),
        .finding =
            known ? findingOf(context.picture, pictureB, measuredA_.errors, measuredB_.errors, unlike, place)
                  : Finding{},
@@ -374,7 +390,8 @@ void SideBySideView::draw(Painter paint, const DrawContext& context) {
   else
     aside_ = known                       ? "the numbers are of these pictures"
              : coarse_ || context.coarse ? "coarse while dragging; numbers follow"
-                                         : "numbers follow";
+             : owes_ || context.dragging ? "numbers follow"
+                                         : "not measured";
   drawn_ = told();
 }
 

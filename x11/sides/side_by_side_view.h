@@ -30,7 +30,10 @@ class SideBySideView : public WindowView {
   /// The controls change the setup that has the focus, A or B; a click on a caption sets it.
   [[nodiscard]] Controls controls() override;
   [[nodiscard]] KeyTable ownKeys() override;
-  void enter() override { joins_ = true; }
+  void enter() override {
+    joins_ = true;
+    if (host_.setup().picture.light.mistake != Mistake::None) kind_ = Unlike::Intensity;
+  }
   void leave() override;
   [[nodiscard]] Rect picture(const Layout& at) const override { return layoutOfSides(at.body).A; }
   [[nodiscard]] bool late(const Setup& setup) const override;
@@ -82,10 +85,11 @@ class SideBySideView : public WindowView {
   struct Measured {
     std::optional<PictureSettings> of = {};
     Difference errors = {};  ///< beside the truth
-    std::int64_t painted = 0, cuts = 0;
     BestTime time = {};
   };
   void measure(const Picture& A, const Picture& B);
+  /// Where the truth about one of the two pictures is kept: both have one if their lights and surfaces agree.
+  [[nodiscard]] CachedGroundTruth& truthOf(const Picture& picture);
 
   std::function<Subject()> subject_;
   std::function<int()> most_;
@@ -111,7 +115,10 @@ class SideBySideView : public WindowView {
   [[nodiscard]] Shown told() const { return {b_, kind_, place_, blinking_, focus_}; }
   std::optional<Shown> drawn_;
   Measured measuredA_, measuredB_;
-  CachedGroundTruth truth_;
+  std::array<CachedGroundTruth, 2> truths_;
+  /// The pictures that were shown before they were measured, and whether the next drawing measures them.
+  std::optional<std::pair<PictureSettings, PictureSettings>> announced_;
+  bool owes_ = false;
   std::optional<std::pair<Unlike, std::pair<PictureSettings, PictureSettings>>> placed_;
   std::vector<DifferingPlace> places_;
   SidesLayout at_;

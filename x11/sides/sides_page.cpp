@@ -171,8 +171,11 @@ std::vector<std::string> SidesDrawing::drawNumbers() {
   const SideFacts &a = page_.ofA, &b = page_.ofB;
   const Cell cell = page_.known ? Cell::Ink : Cell::Faint;
   const Voice voice = Voice::Plain;
+  const bool measured = a.time.runs > 0;
+  bool ready = measured;
   const auto row = [&](const std::string& label, std::string ofA, std::string ofB, std::string apart,
                        bool alarm = false) {
+    if (!ready) ofA = ofB = "...", apart.clear();
     sheet.tableRow(0, y, label, {std::move(ofA), std::move(ofB)}, ends, cell, voice);
     y = sheet.tableRow(0, y, "", {std::move(apart)}, {ends[2]}, alarm && page_.known ? Cell::Alarm : cell,
                        Voice::Bold);
@@ -194,8 +197,10 @@ std::vector<std::string> SidesDrawing::drawNumbers() {
   const bool colors = alike && a.errors.kind == Unlike::Color;
   amount(colors ? "root mean square, CIEDE2000" : "root mean square error", a.errors.errors.rootMeanSquare,
          b.errors.errors.rootMeanSquare, decimals, alike);
+  ready = true;
   count("polygons painted", a.painted, b.painted);
   count("cuts", a.cuts, b.cuts);
+  ready = measured;
   amount(
       "time, ms, best of " + std::to_string(std::max(1, std::min(page_.ofA.time.runs, page_.ofB.time.runs))),
       page_.ofA.time.ms, page_.ofB.time.ms, std::min(page_.ofA.time.ms, page_.ofB.time.ms) < 1 ? 3 : 1,

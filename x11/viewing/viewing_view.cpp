@@ -274,7 +274,7 @@ void ViewingView::draw(Painter paint, const DrawContext& context) {
   unit_ = context.layout.unit;
   const Picture& picture = context.picture;
   const Mesh& mesh = picture.scene().mesh;
-  if (scene_ != &picture.scene()) vertex_.reset(), scene_ = &picture.scene();
+  if (std::exchange(faces_, mesh.faceCount()) != mesh.faceCount()) vertex_.reset();
   if (!vertex_ && !asked_.empty()) {
     vertex_ = cornerOf(mesh, asked_);
     if (!vertex_) host_.tell("The scene has no vertex " + asked_ + ".");

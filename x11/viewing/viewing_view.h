@@ -98,7 +98,7 @@ class ViewingView : public WindowView {
   std::array<Rect, kViewStages.size()> small_{}, rows_{};
   const StageImage* image_ = nullptr;  ///< one of images_
   std::shared_ptr<const ViewingStory> story_;
-  const Scene* scene_ = nullptr;  ///< whose vertex it is
+  int faces_ = 0;  ///< of the scene whose vertex it is
   std::vector<HandleAt> handles_;
   std::optional<HandleDrag> drag_;
   std::optional<glm::ivec2> clicked_;

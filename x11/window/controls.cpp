@@ -7,6 +7,7 @@
 
 #include "geometry/exact/trig.h"
 #include "geometry/exact/unit.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
 
@@ -34,11 +35,35 @@ Horizon horizon(UpAxis up) {
 }
 }  // namespace
 
-glm::dvec3 towardsLight(const Illumination& light, glm::dvec3 centre) {
-  return unit(light.lightPosition ? *light.lightPosition - centre : light.light);
+std::vector<Light> lampsOf(const Setup& setup, const Scene& scene) {
+  SceneLight own;
+  own.lights = setup.picture.lights.value_or(scene.light.lights);
+  Illumination light = setup.picture.light;
+  if (light.lightPosition) light.lightPosition = inSceneUnits(*light.lightPosition, scene);
+  light.attenuation.reset();  // it belongs to the picture
+  return lightsOf(own, light, {});
 }
 
-LightAngles lightAngles(const Illumination& light, UpAxis up, glm::dvec3 centre) {
+bool hasOwnLamps(const Setup& setup, const Scene& scene) {
+  return !setup.picture.lights.value_or(scene.light.lights).empty();
+}
+
+void putLamp(Setup& setup, const Scene& scene, std::size_t lamp, const Light& light) {
+  if (hasOwnLamps(setup, scene)) {
+    setup.picture.lights = lampsOf(setup, scene);
+    (*setup.picture.lights)[lamp] = light;
+    return;
+  }
+  setup.picture.light.light = light.direction;
+  if (light.kind != LightKind::Directional)
+    setup.picture.light.lightPosition = inFileUnits(light.position, scene);
+}
+
+glm::dvec3 towardsLight(const Light& light, glm::dvec3 centre) {
+  return unit(light.kind == LightKind::Directional ? light.direction : light.position - centre);
+}
+
+LightAngles lightAngles(const Light& light, UpAxis up, glm::dvec3 centre) {
   const Horizon h = horizon(up);
   const glm::dvec3 L = towardsLight(light, centre);
   constexpr double kDegrees = 180.0 / std::numbers::pi;
@@ -46,7 +71,7 @@ LightAngles lightAngles(const Illumination& light, UpAxis up, glm::dvec3 centre)
           std::asin(std::clamp(glm::dot(L, h.up), -1.0, 1.0)) * kDegrees};
 }
 
-void turnLight(Illumination& light, UpAxis up, double azimuth, double elevation, glm::dvec3 centre) {
+void turnLight(Light& light, UpAxis up, double azimuth, double elevation, glm::dvec3 centre) {
   const Horizon h = horizon(up);
   const LightAngles now = lightAngles(light, up, centre);
   const double e = std::clamp(std::round(now.elevation + elevation), -90.0, 90.0);
@@ -56,12 +81,20 @@ void turnLight(Illumination& light, UpAxis up, double azimuth, double elevation,
   aimLight(light, se.cos * (sa.sin * h.right + sa.cos * h.towards) + se.sin * h.up, centre);
 }
 
-void aimLight(Illumination& light, glm::dvec3 towards, glm::dvec3 centre) {
-  light.light = towards;
-  if (light.lightPosition)
-    // Without squares: the file's units may be as large as 1e300.
-    *light.lightPosition =
-        centre + glm::dot(*light.lightPosition - centre, towardsLight(light, centre)) * towards;
+void aimLight(Light& light, glm::dvec3 towards, glm::dvec3 centre) {
+  const glm::dvec3 before = towardsLight(light, centre);
+  if (light.kind != LightKind::Directional)
+    light.position = centre + glm::dot(light.position - centre, before) * towards;
+  if (light.kind != LightKind::Spot) {
+    light.direction = towards;
+    return;
+  }
+  // The axis turns as the light does: about the normal of both directions. Opposite ones have none.
+  const glm::dvec3 about = glm::cross(before, towards);
+  const double cosine = glm::dot(before, towards);
+  const glm::dvec3 across = glm::cross(about, light.direction);
+  light.direction = cosine > -1.0 ? light.direction + across + glm::cross(about, across) / (1.0 + cosine)
+                                  : -light.direction;
 }
 
 }  // namespace xnewell

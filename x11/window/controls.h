@@ -25,20 +25,29 @@ struct Setup {
 /// if nothing changed.
 [[nodiscard]] std::string_view keepFillable(Setup& setup);
 
+/// Who changes a light that has no control of its own elsewhere, in Host::change().
+inline constexpr char kLampChange = 1;
+
+/// The lights that the setup shows, in the scene's units: those that it has changed, the scene's own, or the
+/// one of its illumination.
+[[nodiscard]] std::vector<Light> lampsOf(const Setup& setup, const Scene& scene);
+/// True if they are not the one of the illumination.
+[[nodiscard]] bool hasOwnLamps(const Setup& setup, const Scene& scene);
+/// Puts a light in the place of one of them.
+void putLamp(Setup& setup, const Scene& scene, std::size_t lamp, const Light& light);
+
 /// The light's direction from the scene's centre, in degrees. Azimuth is the angle about the up axis: 0 where
 /// the default view stands, positive to its right. Elevation is the angle above the horizon.
 struct LightAngles {
   double azimuth = 0, elevation = 0;
 };
-/// The unit vector from `centre` towards the light. The centre matters only for a point light.
-[[nodiscard]] glm::dvec3 towardsLight(const Illumination& light, glm::dvec3 centre);
-[[nodiscard]] LightAngles lightAngles(const Illumination& light, UpAxis up,
-                                      glm::dvec3 centre = glm::dvec3{0});
+/// The unit vector from `centre` towards the light. The centre matters only for a light at a place.
+[[nodiscard]] glm::dvec3 towardsLight(const Light& light, glm::dvec3 centre);
+[[nodiscard]] LightAngles lightAngles(const Light& light, UpAxis up, glm::dvec3 centre = glm::dvec3{0});
 /// Turns the light: azimuth about the up axis, elevation towards it. Elevation stays within +-90 degrees. A
-/// point light keeps its distance from the centre.
-void turnLight(Illumination& light, UpAxis up, double azimuth, double elevation,
-               glm::dvec3 centre = glm::dvec3{0});
-/// Puts the light where `towards`, a unit vector, points from the centre. A point light keeps its distance.
-void aimLight(Illumination& light, glm::dvec3 towards, glm::dvec3 centre);
+/// light at a place keeps its distance from the centre, and the cone of a spot turns with it.
+void turnLight(Light& light, UpAxis up, double azimuth, double elevation, glm::dvec3 centre = glm::dvec3{0});
+/// Puts the light where `towards`, a unit vector, points from the centre.
+void aimLight(Light& light, glm::dvec3 towards, glm::dvec3 centre);
 
 }  // namespace xnewell

@@ -146,7 +146,7 @@ void drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
   } else if (at.low && !state.hint.empty()) {
     end = pen.ink(begin, y, state.hint);
   } else if (at.low) {  // the keys have some of this line
-    end = pen.ink(begin, y, beginningOf(state.status, at.width * 3 / 5 - begin));
+    end = pen.ink(begin, y, beginningOf(state.status, at.width * 2 / 3 - begin));
   } else {
     end = pen.ink(begin, y, state.status);
     if (!at.compact) end = pen.soft(end + 18, y, beginningOf(state.aside, at.width - kMargin - end - 18));
@@ -235,8 +235,34 @@ void drawBusyBox(IndexImage& image, int unit, const CellPlan& plan, int seconds,
                                            : "keys pressed now take effect later");
 }
 
+namespace {
+
+Rect ribbonOf(const PanelState& state) {
+  constexpr int kRibbon = 20;
+  return state.mistake.empty() ? Rect{}
+                               : Rect{state.picture.x, state.picture.y, state.picture.width, kRibbon};
+}
+
+/// A mistake is a guest: a ribbon over the picture names it, and says how it goes.
+void drawRibbon(Pen& pen, const PanelState& state) {
+  const Rect at = ribbonOf(state);
+  const std::uint8_t white = pen(Cell::White);
+  pen.paint.fillRect(at, pen(Cell::Alarm));
+  int x = at.x + 8;
+  const int y = at.y + 14, end = at.x + at.width - 8;
+  x = pen.paint.text(x, y, beginningOf("Mistake: " + state.mistake, end - x), white, Voice::Bold) + 14;
+  if (state.view == View::SideBySide) return;
+  if (constexpr std::string_view right = "beside the right one"; x + textWidth(right) <= end)
+    x = pen.paint.text(x, y, right, white) + 14;
+  if (constexpr std::string_view next = "the next"; x + kKeyCap + 5 + textWidth(next) <= end)
+    pen.paint.text(x + pen.key(x, y - 11, "E") + 5, y, next, white);
+}
+
+}  // namespace
+
 std::vector<Rect> drawnOverPicture(const Layout& at, const PanelState& state) {
   std::vector<Rect> parts;
+  if (!state.mistake.empty()) parts.push_back(ribbonOf(state));
   if (const Rect box = helpBox(at, state.help).box; !state.help.empty())
     parts.push_back({box.x, box.y, box.width + kShadow, box.height + kShadow});
   return parts;
@@ -244,6 +270,7 @@ std::vector<Rect> drawnOverPicture(const Layout& at, const PanelState& state) {
 
 void drawPanel(Painter paint, const Layout& at, const PanelState& state, const CellPlan& plan) {
   Pen pen{paint, plan};
+  if (!state.mistake.empty()) drawRibbon(pen, state);
   if (at.roomy) {
     drawTabs(pen, at, state);
     pen.rule(0, at.strip.y, at.width);

@@ -27,6 +27,8 @@ struct PanelState {
   std::optional<int> inspected = {};  ///< the cell that the strip marks
   std::string selected;               ///< a control that is out of sight, before the first line; "" for none
   std::string status, aside;          ///< the first line and the softer text after it
+  Rect picture = {};                  ///< of the scene, where the ribbon of a mistake is
+  std::string mistake;                ///< in the equation of this picture; "": none
   std::string notice, told, hint;     ///< a warning, news, or what a word means, in place of a line
   std::optional<Typed> typed = {};    ///< shown in place of both lines
   std::vector<Legend> legend;         ///< the last line

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/exact/box.h"
 #include "geometry/exact/scale.h"
+#include "geometry/exact/trig.h"
 #include "geometry/exact/unit.h"
 #include "geometry/view/view.h"
 #include "shading/color/quantize.h"
 #include "shading/laboratory/exactness.h"
 #include "shading/light/mistake.h"
+#include "shading/scene/units.h"
 #include "x11/drawing/painter.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/sheet.h"
@@ -79,29 +82,24 @@ std::string inexactness(const Picture& picture, bool compact) {
          sizeText(picture.settings().width, picture.settings().height) + ".";
 }
 
+double IaOf(const Setup& setup, const Scene& scene) {
+  return largest(scene.light.Ia.value_or(glm::dvec3{setup.picture.light.Ia}));
+}
+
 /// The intensities in force: Ia and the sum of all Ip, those of the scene where it has its own.
 struct InForce {
   double Ia, Ip;
-  InForce(const Illumination& user, const SceneLight& own)
-      : Ia{largest(own.Ia.value_or(glm::dvec3{user.Ia}))}, Ip{user.Ip} {
+  InForce(const Setup& setup, const Scene& scene) : Ia{IaOf(setup, scene)} {
     glm::dvec3 sum{0.0};
-    for (const Light& light : own.lights) sum += light.Ip;
-    if (!own.lights.empty()) Ip = largest(sum);
+    for (const Light& light : lampsOf(setup, scene)) sum += light.Ip;
+    Ip = largest(sum);
   }
 };
 
-/// A row for each light: "point 0.50", or the three numbers of a colour.
-std::vector<std::string> rowsOf(const std::vector<Light>& lights) {
-  std::vector<std::string> rows;
-  for (const Light& light : lights) {
-    const glm::dvec3& I = light.Ip;
-    rows.push_back((light.kind == LightKind::Directional
-                        ? "far"
-                        : std::string{kLights[static_cast<std::size_t>(light.kind)].name}) +
-                   ' ' + fixed(I.r, 2));
-    if (I.g != I.r || I.b != I.r) rows.back() += ' ' + fixed(I.g, 2) + ' ' + fixed(I.b, 2);
-  }
-  return rows;
+/// Makes the one light of the illumination one of a list, so that there can be more.
+std::vector<Light>& listedLamps(Setup& setup, const Scene& scene) {
+  if (!setup.picture.lights) setup.picture.lights = lampsOf(setup, scene);
+  return *setup.picture.lights;
 }
 
 /// Words for the colours that the picture of normals or of a term has of its own. They are in the cells from
@@ -125,16 +123,44 @@ SceneCellWords wordsOfOwnColors(View show, const CellUse& use, int first) {
 Controls PictureView::controls() {
   const Setup& now = host_.setup();
   const Subject subject = subject_();
-  Controls all{lightControl(now, subject, change())};
-  all.back().drag = [this](int x, int y, int, int) {
-    const glm::dvec3 towards = glm::transpose(toView_) * directionOnBall(column_, x, y);
-    host_.change('l', [&](Setup& s) { aimLight(s.picture.light, towards, subject_().centre); });
+  const std::vector<Light> lamps = lampsOf(now, subject.scene);
+  const bool own = hasOwnLamps(now, subject.scene);
+  const bool chooses = list_.focus() && list_.focus()->key == 'l';
+  lamp_ = std::min(chooses ? static_cast<std::size_t>(list_.focus()->part) : lamp_, lamps.size() - 1);
+  if (chooses) list_.setFocus(ControlId{'l', static_cast<int>(lamp_)});
+  Controls all;
+  for (std::size_t k = 0; k < lamps.size(); ++k) {
+    all.push_back(lightControl(now, subject, change(), k));
+    all.back().drag = [this, k](int x, int y, int, int) {
+      const glm::dvec3 towards = glm::transpose(toView_) * directionOnBall(column_, x, y);
+      host_.change('l', [&](Setup& s) {
+        const Subject at = subject_();
+        Light lamp = lampsOf(s, at.scene)[k];
+        aimLight(lamp, towards, inSceneUnits(at.centre, at.scene));
+        putLamp(s, at.scene, k, lamp);
+      });
+    };
+  }
+  const InForce inForce{now, subject.scene};
+  const auto setIp = [this, lamp = lamp_, ip = lamps[lamp_].Ip](double Ip) {
+    const glm::dvec3 hue = largest(ip) > 0 ? ip / largest(ip) : glm::dvec3{1};
+    host_.change(kLampChange, [&](Setup& s) { listedLamps(s, subject_().scene)[lamp].Ip = Ip * hue; });
   };
   for (Control& control : settingControls(now, host_.defaults(), change(), subject.scene)) {
+    const double others = own ? inForce.Ip - largest(lamps[lamp_].Ip) : 0;
+    if (own && control.key == 'p') {
+      control.off.clear(), control.initially.reset();
+      control.label = "Ip of light " + std::to_string(lamp_ + 1);
+      control.value = largest(lamps[lamp_].Ip);
+      control.range.high = std::floor((1 - inForce.Ia - others) * 100 + 1e-9) / 100;
+      control.set = setIp;
+    }
+    if (own && control.key == 'i') control.range.high = std::floor((1 - inForce.Ip) * 100 + 1e-9) / 100;
     if (control.key == 'p')  // its thumb stands at Ia + Ip
-      control.drag = [this](int x, int, int, int) {
+      control.drag = [this, own, others, inForce, setIp](int x, int, int, int) {
         const TrackRange share{};
         const double sum = valueAt(share, double(x - column_.bar.x) / (column_.bar.width - 1));
+        if (own) return setIp(valueAt(share, sum - inForce.Ia - others));
         host_.change('p', [&](Setup& s) {
           s.picture.light.Ia = std::min(s.picture.light.Ia, sum);
           (void)applyOverrides(s.picture, {{settingOf('p'), valueAt(share, sum - s.picture.light.Ia)}});
@@ -146,7 +172,7 @@ Controls PictureView::controls() {
   }
   for (Control& control : cameraControls(now, subject, change())) all.push_back(std::move(control));
   for (Control& button : buttonControls([this](char letter) { host_.pressLetter(letter); })) {
-    button.off = ownOfScene(button.key, subject.scene);
+    button.off = ownOfScene(button.key, now, subject.scene);
     if (button.key == kDrawerKey && forBeginners_) button.label = "all", button.is = "show all controls";
     all.push_back(std::move(button));
   }
@@ -156,8 +182,8 @@ Controls PictureView::controls() {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kOpening{"Turn me", "Move my light", "Why am I wrong here?",
-                                                   "Lessons", "Your own model"};
+constexpr std::array<std::string_view, 6> kOpening{"Turn me", "Move my light",  "Why am I wrong here?",
+                                                   "Lessons", "Your own model", "Which mistake is it?"};
 constexpr int kLessonsDoor = 3;
 /// Numbers that no row of controls has.
 ControlId openingId(std::size_t k) { return {0, 100 + static_cast<int>(k)}; }
@@ -173,16 +199,16 @@ void PictureView::addOpening(Controls& all) {
       },
       [this] {
         list_.setFocus(ControlId{'l'});
-        if (const Control light = lightControl(host_.setup(), subject_(), change()); light.enabled())
-          light.move(20, 0), host_.tell("Drag the ring on the ball, or press the arrows.");
-        else
-          host_.notify(light.off);
+        lightControl(host_.setup(), subject_(), change()).move(20, 0);
+        host_.tell("Drag the ring on the ball, or press the arrows.");
       },
       [this] {
         host_.change('O', [](Setup& s) { s.picture.order = Order::ZSort; });
         host_.explainWrong();
       },
-      [this] { host_.switchTo(View::Lesson); }, [this] { host_.pressLetter('e'); }};
+      [this] { host_.switchTo(View::Lesson); },
+      [this] { host_.pressLetter('e'); },
+      [this] { host_.pressLetter('G'); }};
   for (std::size_t k = 0; k < kOpening.size(); ++k)
     all.push_back({.kind = Control::Kind::Button,
                    .part = openingId(k).part,
@@ -198,7 +224,9 @@ void PictureView::drawOpening(Pen& pen) {
   for (std::size_t k = 0; k < kOpening.size(); ++k) {
     if (k == kLessonsDoor) x = well.x + kGap, y = well.y + kGap;
     const int dots = k == kLessonsDoor ? kDot * static_cast<int>(done.size()) : 0;
-    const Rect box{x, y, textWidth(kOpening[k]) + 24 + dots, kHeight};
+    const int width = textWidth(kOpening[k]) + 24 + dots;
+    if (x + width > well.x + well.width) x = well.x + kGap, y += kHeight + kGap;
+    const Rect box{x, y, width, kHeight};
     const Look look = list_.look(openingId(k));
     pen.paint.fillRect(box, pen(look.hovered ? Cell::White : Cell::Panel));
     pen.paint.frame(box, pen(Cell::Ink));
@@ -219,6 +247,34 @@ bool PictureView::grab(int x, int y) {
   return drags;
 }
 
+void PictureView::addLamp() {
+  host_.change('A', [&](Setup& s) {
+    std::vector<Light>& lamps = listedLamps(s, subject_().scene);
+    Light& chosen = lamps[lamp_];
+    chosen.Ip /= 2.0;
+    Light added = chosen;
+    const glm::dvec3 centre = inSceneUnits(subject_().centre, subject_().scene);
+    const UpAxis up = subject_().scene.up;
+    turnLight(added, up, 100, lightAngles(added, up, centre).elevation > 60 ? -40 : 0, centre);
+    lamp_ = lamps.size();
+    lamps.push_back(added);
+  });
+  list_.setFocus(ControlId{'l', static_cast<int>(lamp_)});
+  host_.tell("Light " + std::to_string(lamp_ + 1) +
+             " has half the Ip of the one before. l chooses a light, p changes its Ip, X takes it away.");
+}
+
+void PictureView::removeLamp() {
+  const std::size_t lamps = lampsOf(host_.setup(), subject_().scene).size();
+  if (lamps < 2) return host_.notify("This is the only light. p = 0 puts it out.");
+  host_.change('X', [&](Setup& s) {
+    std::vector<Light>& all = listedLamps(s, subject_().scene);
+    all.erase(all.begin() + static_cast<std::ptrdiff_t>(lamp_));
+  });
+  lamp_ = 0;
+  list_.setFocus(ControlId{'l'});
+}
+
 void PictureView::dragTo(int x, int y) {
   constexpr int kStill = 2;  // units that a hand may tremble in a click
   if (clicked_ && std::abs(x - clicked_->x) <= kStill && std::abs(y - clicked_->y) <= kStill) return;
@@ -228,6 +284,9 @@ void PictureView::dragTo(int x, int y) {
 }
 
 void PictureView::drop() {
+  if (list_.look({'t'}).dragged && !clicked_ && !std::exchange(toldOfTurning_, true))
+    host_.tell(
+        "The light turned with the scene, so its ring on the ball moved. Drag the ring to light it anew.");
   WindowView::drop();
   if (!clicked_) return;
   const glm::ivec2 at = *clicked_;
@@ -247,13 +306,18 @@ KeyTable PictureView::ownKeys() {
   KeyTable table = zoomKeys(host_.setup(), subject_(), change());
   table.insert(table.begin(), {{.legend = "turn", .does = "turn the scene", .gesture = "drag"},
                                {.does = "explain the pixel under the pointer", .gesture = "click"}});
-  table.push_back(
-      {{'h'}, "", "the opening page, or no longer", [this](const Key&) { opening_ = !opening_; }});
+  const char* const opening = "the opening page, or no longer; a game: which mistake is it?";
+  table.push_back({{'h'}, "", opening, [this](const Key&) { opening_ = !opening_; }});
+  table.push_back({{'G'}, "", opening, [this](const Key&) { play_(); }});
   if (opening_)
     table.push_back(
-        {{NamedKey::Escape}, "", "the opening page, or no longer", [this](const Key&) { opening_ = false; }});
-  table.push_back({{'['}, "Ia = 1", "only ambient light", all('i')});
-  table.push_back({{']'}, "Ip = 1", "only the light of the point", all('p')});
+        {{NamedKey::Escape}, "", "end the opening page", [this](const Key&) { opening_ = false; }});
+  const char* const lamps = "a new light; take the chosen one away";
+  table.push_back({{'A'}, "", lamps, [this](const Key&) { addLamp(); }});
+  table.push_back({{'X'}, "", lamps, [this](const Key&) { removeLamp(); }});
+  const char* const only = "only ambient light; only the light of the point";
+  table.push_back({{'['}, "Ia = 1", only, all('i')});
+  table.push_back({{']'}, "Ip = 1", only, all('p')});
   return table;
 }
 
@@ -309,7 +373,9 @@ void PictureView::drawHeadlines(Painter paint, const DrawContext& context) {
 
 void PictureView::drawColumn(Painter paint, const DrawContext& context) {
   const Controls all = controls();
-  const Control* const pointed = list_.hovered(all) ? list_.hovered(all) : list_.focused(all);
+  // A line that is all there is keeps the counts until the pointer asks for something else.
+  const Control* const pointed =
+      list_.hovered(all) || context.layout.low ? list_.hovered(all) : list_.focused(all);
   aside_ = msText(context.picture.times().total()) + " ms";
   if (pointed && !pointed->is.empty()) {
     const std::string is =
@@ -326,7 +392,7 @@ void PictureView::drawColumn(Painter paint, const DrawContext& context) {
   list_.forgetPlaces();
   list_.place({'t'}, {.area = at_.picture, .grip = at_.picture, .bare = true, .passive = true});
   Pen pen{paint, context.plan};
-  if (opening_) drawOpening(pen);
+  if (opening_ && mistakeIn(context.setup).empty()) drawOpening(pen);
   if (!at_.roomy) return list_.draw(pen, all);
 
   if (at_.drawer != Drawer::Whole) {
@@ -334,24 +400,41 @@ void PictureView::drawColumn(Painter paint, const DrawContext& context) {
     return list_.draw(pen, all);
   }
   const Subject subject = subject_();
-  const Illumination& light = context.setup.picture.light;
   const bool ramp =
       !rowOf(context.setup.show).hasOwnColors() && context.picture.colors().plan() == ColorPlan::OneHue;
   toView_ = vrcRotation(context.picture.camera().view);
-  const SceneLight& own = context.picture.scene().light;
-  const InForce inForce{light, own};
-  column_ = layoutOfControls(at_, all, context.setup, forBeginners_);
-  for (const auto& [id, place] : column_.places) list_.place(id, place);
+  const Scene& scene = context.picture.scene();
+  const InForce inForce{context.setup, scene};
+  std::vector<Light> lamps = lampsOf(context.setup, scene);
+  const glm::dvec3 centre = inSceneUnits(subject.centre, scene);
+  const LightAngles angles = lightAngles(lamps[lamp_], scene.up, centre);
+  for (Light& lamp : lamps)
+    lamp.direction = toView_ * lamp.direction, lamp.position = toView_ * (lamp.position - centre);
+  column_ = layoutOfControls(at_, all, {inForce.Ia, inForce.Ia + inForce.Ip}, forBeginners_);
+  for (const auto& [id, place] : column_.places)
+    if (id != ControlId{'l'}) list_.place(id, place);
+  constexpr int kRing = 7;
+  for (std::size_t k = 0; k < lamps.size(); ++k) {
+    const glm::ivec2 ring = ringOf(column_, lamps[k]);
+    ControlPlace place =
+        std::ranges::find(column_.places, ControlId{'l'}, &std::pair<ControlId, ControlPlace>::first)->second;
+    if (k != lamp_)  // the ball and the angles are of the chosen one
+      place.area = place.grip = {ring.x - kRing, ring.y - kRing, 2 * kRing + 1, 2 * kRing + 1},
+      place.above = true;
+    list_.place({'l', static_cast<int>(k)}, place);
+  }
   drawLightControls(pen, column_,
                     {.setup = context.setup,
-                     .angles = lightAngles(light, subject.scene.up, subject.centre),
-                     .lightInView = toView_ * towardsLight(light, subject.centre),
+                     .angles = angles,
+                     .lamps = std::move(lamps),
+                     .lamp = lamp_,
+                     .size = boxOf(scene.mesh.points).side(),
+                     .unit = scene.light.unit,
                      .ball = ballCells(context.picture, context.plan, ramp),
-                     .ownLights = rowsOf(own.lights),
                      .ambient = inForce.Ia,
                      .lights = inForce.Ip,
-                     .IaIsOwn = own.Ia.has_value(),
-                     .light = list_.look({'l'}),
+                     .IaIsOwn = scene.light.Ia.has_value(),
+                     .light = list_.look({'l', static_cast<int>(lamp_)}),
                      .Ia = list_.look({'i'}),
                      .Ip = list_.look({'p'})});
   list_.draw(pen, all);
@@ -369,7 +452,7 @@ void PictureView::drawCaption(Painter paint, const DrawContext& context) {
     pen.ink(pen.soft(x, y, "The picture: "), y, made);
   y += 16;
   const Illumination& l = p.light;
-  const InForce inForce{l, context.picture.scene().light};
+  const InForce inForce{context.setup, context.picture.scene()};
   std::string line = "Ia " + fixed(inForce.Ia, 2) + "  Ip " + fixed(inForce.Ip, 2) + "  ka " +
                      fixed(l.ka, 2) + "  kd " + fixed(l.kd, 2) + "  ks " + fixed(l.ks, 2) + "  n " +
                      std::to_string(l.n);
@@ -417,9 +500,9 @@ int onBar(const Rect& bar, double value) {
 /// Places the controls, from the top of the column to the bottom.
 class Walk {
  public:
-  Walk(const Layout& at, const Controls& controls, const Setup& setup, int pitch, bool forBeginners)
+  Walk(const Layout& at, const Controls& controls, glm::dvec2 thumbs, int pitch, bool forBeginners)
       : controls_{controls},
-        setup_{setup},
+        thumbs_{thumbs},
         forBeginners_{forBeginners},
         low_{at.low},
         x_{at.controls.x},
@@ -435,7 +518,7 @@ class Walk {
     heading("SURFACE", 20);
     rows(Section::Surface, {Kind::Toggle, Kind::Slider, Kind::Choice});
     heading("METHOD", 22);
-    rows(Section::Method, {Kind::Toggle, Kind::Slider, Kind::Choice});
+    rows(Section::Method, {Kind::Toggle, Kind::Choice});
     if (!forBeginners_) heading("COLOUR TABLE", 22);
     rows(Section::ColourTable, {Kind::Toggle, Kind::Choice, Kind::Slider});
     buttons();
@@ -457,7 +540,7 @@ class Walk {
     RowStyle narrow = row_;
     narrow.width = column_.ball.x - kMargin - x_;
     for (const Control& control : controls_)
-      if (control.key == 'l')
+      if (control.id() == ControlId{'l'})
         add(control, {.x = x_,
                       .y = y_,
                       .area = {x_, y_ - 14, narrow.width, compact ? 18 : 58},
@@ -480,8 +563,7 @@ class Walk {
   /// belongs to Ia and the right side to Ip.
   void intensities() {
     const Rect bar = column_.bar = {x_, y_ + 9, kControls, 10};
-    const Illumination& light = setup_.picture.light;
-    const int ia = onBar(bar, light.Ia), sum = onBar(bar, light.Ia + light.Ip);
+    const int ia = onBar(bar, thumbs_.x), sum = onBar(bar, std::min(1.0, thumbs_.y));
     const bool atEnd = ia == bar.x + bar.width - 1;
     const int border = atEnd ? bar.x + bar.width : (ia + sum + 1) / 2;
     const Rect reach{bar.x, bar.y - 4, bar.width, bar.height + 8};
@@ -510,7 +592,11 @@ class Walk {
   void rows(Section section, std::initializer_list<Kind> kinds, const RowStyle& style) {
     for (const Kind kind : kinds)
       for (const Control& control : controls_) {
-        if (control.kind != kind || sectionOf(control.key) != section || has(control)) continue;
+        if (low_ && control.key == 'R') continue;  // no room: the status line shows it
+        // The crease angle stands beside the normals.
+        const bool among = control.kind == kind || (section == Section::Method && kind == Kind::Choice &&
+                                                    control.kind == Kind::Slider);
+        if (!among || sectionOf(control.key) != section || has(control)) continue;
         if (forBeginners_ && kForBeginners.find(control.key) == kForBeginners.npos) continue;
         ControlPlace place = placeInRow(control, x_, y_, style);
         y_ += place.area.height;
@@ -538,7 +624,7 @@ class Walk {
   }
 
   const Controls& controls_;
-  const Setup& setup_;
+  glm::dvec2 thumbs_;
   bool forBeginners_;
   ControlColumn column_;
   RowStyle row_;
@@ -558,6 +644,7 @@ struct LightPen : Pen {
   }
   void light();
   void ball();
+  void ring(const Light& lamp);
   void intensities();
   void thumb(int x, const Rect& bar, const Look& look);
 };
@@ -567,47 +654,37 @@ std::string withDegree(double degrees) { return fixed(degrees, 0) + "\u00B0"; }
 void LightPen::light() {
   const ControlPlace& place = this->place('l');
   const Rect& row = place.area;
-  if (shown.light.focused) drawFocus(*this, {row.x, row.y, row.width, at.compact ? 18 : 40}, 2);
+  if (shown.light.focused) drawFocus(*this, {row.x, row.y, row.width, at.compact ? 18 : 58}, 2);
   const int x = place.x, y = place.y, end = row.x + row.width;
   key(x, y - 11, "l");
-  if (!shown.ownLights.empty()) {
-    paint.text(x + kName, y, "the scene's own", (*this)(Cell::Faint));
-    return;
-  }
+  const Light& lamp = shown.lamps[shown.lamp];
+  const std::size_t count = shown.lamps.size();
+  const std::string which = std::to_string(shown.lamp + 1) + " of " + std::to_string(count);
   if (at.compact) {
-    ink(x + kName, y,
-        "azimuth " + withDegree(shown.angles.azimuth) + " elev. " + withDegree(shown.angles.elevation));
+    const std::string angles =
+        withDegree(shown.angles.azimuth) + " elev. " + withDegree(shown.angles.elevation);
+    ink(x + kName, y, (count > 1 ? which + ", " : "azimuth ") + angles);
     return;
   }
   ink(x + kName, y, "azimuth");
   boldRight(end, y, withDegree(shown.angles.azimuth));
   ink(x + kName, y + 18, "elevation");
   boldRight(end, y + 18, withDegree(shown.angles.elevation));
-  ink(x + kName, y + 36, "distance");
-  boldRight(end, y + 36, shown.setup.picture.light.lightPosition ? "near" : "far");
+  ink(x + kName, y + 36, count > 1 ? which : "distance");
+  boldRight(end, y + 36,
+            lamp.kind == LightKind::Directional ? "far"
+            : lamp.kind == LightKind::Point     ? "near"
+                                                : "spot " + withDegree(lamp.outer));
 }
 
-/// Draws a sphere with the current material, form and table. A ring marks the light, so that the user can see
-/// L.
+/// Draws a sphere with the current material, form and table, in the light of all lights. A ring marks each,
+/// so that the user can see L, and two lines the cone of a spot.
 void LightPen::ball() {
   paint.fillRect(at.ball, (*this)(Cell::Well));
   const int radius = at.radius, cx = at.ball.x + at.ball.width / 2, cy = at.ball.y + at.ball.height / 2;
-  if (const auto& own = shown.ownLights; !own.empty()) {
-    constexpr int kPitch = 14;
-    const int room = (at.ball.height - 8) / kPitch, count = static_cast<int>(own.size());
-    const int rows = count > room ? room - 1 : count;
-    for (int k = 0; k < rows; ++k)
-      paint.text(at.ball.x + 8, at.ball.y + kPitch * (k + 1) + 2,
-                 beginningOf(own[static_cast<std::size_t>(k)], at.ball.width - 12), (*this)(Cell::WellText));
-    if (rows < count)
-      paint.text(at.ball.x + 8, at.ball.y + kPitch * (rows + 1) + 2, std::to_string(count - rows) + " more",
-                 (*this)(Cell::WellText));
-    return;
-  }
   paint.hline(cx - radius - 5, cy, 2 * radius + 11, (*this)(Cell::WellLine));
   paint.vline(cx, cy - radius - 5, 2 * radius + 11, (*this)(Cell::WellLine));
   const Illumination& light = shown.setup.picture.light;
-  const glm::dvec3& L = shown.lightInView;
   const glm::dvec3 V{0, 0, 1};
   const Reflection surface{light.ka, light.kd, light.ks, light.n};
   for (int y = -radius; y <= radius; ++y)
@@ -615,22 +692,60 @@ void LightPen::ball() {
       const double rest = static_cast<double>(radius) * radius - x * x - y * y;
       if (rest < 0) continue;
       const glm::dvec3 N = glm::dvec3{x, -y, std::sqrt(rest)} / static_cast<double>(radius);
-      const LightTerms terms = lightTerms(light.mistake, 1.0, light.Ip, surface, {N, unit(L), V}, light.form);
-      const double I =
-          std::max(0.0, rowOf(light.mistake).ambient * light.Ia * light.ka + terms.diffuse + terms.specular);
-      const auto k = static_cast<std::size_t>(255.0 * std::min(1.0, I) + 0.5);
+      double I = rowOf(light.mistake).ambient * shown.ambient * light.ka;
+      for (const Light& lamp : shown.lamps) {
+        // A light at a place is never inside the ball, which is as large as the scene.
+        const bool placed = lamp.kind != LightKind::Directional;
+        const double away = glm::length(lamp.position);
+        const glm::dvec3 to =
+            placed ? lamp.position - std::min(shown.size / 2, 0.8 * away) * N : lamp.direction;
+        const glm::dvec3 L = unit(to);
+        const double f = placed ? attenuation(lamp, glm::length(to), shown.unit) *
+                                      (lamp.kind == LightKind::Spot ? spotShare(lamp, L) : 1.0)
+                                : 1.0;
+        const LightTerms terms =
+            lightTerms(light.mistake, f, largest(lamp.Ip), surface, {N, L, V}, light.form);
+        I += terms.diffuse + terms.specular;
+      }
+      const auto k = static_cast<std::size_t>(255.0 * std::clamp(I, 0.0, 1.0) + 0.5);
       const bool high = bayerRank(x & 7, y & 7) < shown.ball.share[k];
       paint.point(cx + x, cy + y, (high ? shown.ball.high : shown.ball.low)[k]);
     }
   paint.ring(cx, cy, radius + 1, (*this)(Cell::WellLine));  // dark shades are as dark as the background
-  const int lx = cx + static_cast<int>(std::lround(radius * L.x)),
-            ly = cy - static_cast<int>(std::lround(radius * L.y));
-  const bool behind = L.z < 0;
-  paint.ring(lx, ly, 5, (*this)(behind ? Cell::Faint : Cell::White));
-  if (!behind)
-    paint.disc(lx, ly, 1, (*this)(Cell::White));
-  else
+  for (const Light& lamp : shown.lamps) ring(lamp);
+  if (at.bar.empty()) return;  // for beginners
+  const int y = at.headings.front().y;
+  int x = at.area.x + 52;
+  x = soft(x + key(x, y - 11, "A") + 4, y, "new") + 12;
+  if (shown.lamps.size() > 1) soft(x + key(x, y - 11, "X") + 4, y, "off");
+}
+
+void LightPen::ring(const Light& lamp) {
+  const glm::ivec2 to = ringOf(at, lamp);
+  const glm::dvec3 L = towardsLight(lamp, glm::dvec3{0});
+  const bool behind = L.z < 0, chosen = &lamp == &shown.lamps[shown.lamp];
+  const std::uint8_t cell = (*this)(behind ? Cell::Faint : Cell::White);
+  if (lamp.kind == LightKind::Spot) {
+    const glm::dvec3 axis = unit(lamp.direction);
+    const double long_ = std::max(8.0, 0.6 * at.radius * std::hypot(axis.x, axis.y));
+    const SinCos half = sinCosDegrees(std::min(lamp.outer, 80.0));
+    const double along = std::atan2(-axis.y, axis.x);
+    const glm::dvec2 a{std::cos(along), std::sin(along)};
+    for (const double side : {-half.sin, half.sin}) {
+      const glm::dvec2 edge = long_ * glm::dvec2{half.cos * a.x - side * a.y, half.cos * a.y + side * a.x};
+      paint.line(to.x, to.y, to.x + static_cast<int>(edge.x), to.y + static_cast<int>(edge.y), cell);
+    }
+  }
+  paint.ring(to.x, to.y, 5, cell);
+  if (chosen && !behind) paint.disc(to.x, to.y, 1, cell);
+  if (chosen && behind)
     paint.text(at.ball.x + 5, at.ball.y + at.ball.height - 6, "behind", (*this)(Cell::Faint));
+  if (shown.lamps.size() < 2) return;
+  const std::string Ip = fixed(largest(lamp.Ip), 2);
+  const int x = to.x + 8 + textWidth(Ip) > at.ball.x + at.ball.width ? to.x - 8 - textWidth(Ip) : to.x + 8;
+  const int y = std::clamp(to.y + 4, at.ball.y + 11, at.ball.y + at.ball.height - 3);
+  paint.fillRect({x - 1, y - 10, textWidth(Ip) + 2, 13}, (*this)(Cell::Well));
+  paint.text(x, y, Ip, cell);
 }
 
 void LightPen::thumb(int x, const Rect& bar, const Look& look) {
@@ -642,7 +757,7 @@ void LightPen::thumb(int x, const Rect& bar, const Look& look) {
 
 /// Draws one bar of length 1: ambient light dark, point light dotted, the rest unused.
 void LightPen::intensities() {
-  const bool own = !shown.ownLights.empty();
+  const bool several = shown.lamps.size() > 1;
   const int x = place('i').x, y = place('i').y;
   if (shown.Ia.focused || shown.Ip.focused) drawFocus(*this, {x, y - 14, kControls, at.compact ? 37 : 44}, 6);
   key(x, y - 11, "i");
@@ -652,9 +767,10 @@ void LightPen::intensities() {
   };
   number(x + 24, "Ia ", shown.ambient, shown.IaIsOwn);
   key(x + 124, y - 11, "p");
-  number(x + 146, own ? "all Ip " : "Ip ", shown.lights, own);
+  number(x + 146, several ? "Ip " + std::to_string(shown.lamp + 1) + " " : "Ip ",
+         several ? largest(shown.lamps[shown.lamp].Ip) : shown.lights, false);
   const double unused = std::max(0.0, 1.0 - shown.ambient - shown.lights);
-  if (!own) paint.textRight(x + kControls, y, "unused " + fixed(unused, 2), (*this)(Cell::Soft));
+  paint.textRight(x + kControls, y, "unused " + fixed(unused, 2), (*this)(Cell::Soft));
 
   const Rect& bar = at.bar;
   const int ia = onBar(bar, shown.ambient), sum = onBar(bar, std::min(1.0, shown.ambient + shown.lights));
@@ -666,7 +782,7 @@ void LightPen::intensities() {
   for (int quarter = 0; quarter <= 4; ++quarter)
     paint.vline(onBar(bar, quarter / 4.0), bar.y + 13, 3, (*this)(Cell::Faint));
   if (!shown.IaIsOwn) thumb(ia, bar, shown.Ia);
-  if (!own) thumb(sum, bar, shown.Ip);
+  thumb(sum, bar, shown.Ip);
 }
 
 }  // namespace
@@ -681,12 +797,12 @@ Controls buttonControls(const std::function<void(char)>& press) {
   return all;
 }
 
-ControlColumn layoutOfControls(const Layout& at, const Controls& controls, const Setup& setup,
+ControlColumn layoutOfControls(const Layout& at, const Controls& controls, glm::dvec2 thumbs,
                                bool forBeginners) {
   constexpr int kLeastPitch = 13;  // the height of the text
   constexpr int kBelow = 4;        // units between the last button and the strip of colours
   for (int pitch = at.compact ? 17 : 21;; --pitch) {
-    ControlColumn column = Walk{at, controls, setup, pitch, forBeginners}.column();
+    ControlColumn column = Walk{at, controls, thumbs, pitch, forBeginners}.column();
     const Rect& last = column.places.back().second.area;
     const int bottom = at.controls.y + at.controls.height - kBelow;
     if (pitch == kLeastPitch || last.y + last.height <= bottom) return column;
@@ -702,6 +818,12 @@ void drawLightControls(Pen& pen, const ControlColumn& at, const LightShown& show
   light.ball();
   light.light();
   if (!at.bar.empty()) light.intensities();
+}
+
+glm::ivec2 ringOf(const ControlColumn& at, const Light& lamp) {
+  const glm::dvec3 L = towardsLight(lamp, glm::dvec3{0});
+  return {at.ball.x + at.ball.width / 2 + static_cast<int>(std::lround(at.radius * L.x)),
+          at.ball.y + at.ball.height / 2 - static_cast<int>(std::lround(at.radius * L.y))};
 }
 
 glm::dvec3 directionOnBall(const ControlColumn& at, int x, int y) {

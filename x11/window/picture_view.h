@@ -49,9 +49,9 @@ struct ControlColumn {
 };
 /// The column of a window, if layoutOf() says that it is roomy. If there are too many controls for its
 /// height, the rows are closer together. `controls` are those of all settings, with the buttons and the
-/// light; the thumbs of Ia and Ip are where `setup` has them.
+/// light; `thumbs` are the values of the bar's two thumbs, Ia and Ia + Ip.
 /// For beginners there are only a few rows.
-[[nodiscard]] ControlColumn layoutOfControls(const Layout& at, const Controls& controls, const Setup& setup,
+[[nodiscard]] ControlColumn layoutOfControls(const Layout& at, const Controls& controls, glm::dvec2 thumbs,
                                              bool forBeginners = false);
 
 /// The buttons, as controls. `press` gets a button's letter.
@@ -66,14 +66,17 @@ struct BallCells {
 /// What the light's ball and the bar of the intensities show.
 struct LightShown {
   const Setup& setup;
-  LightAngles angles;
-  glm::dvec3 lightInView{0, 0, 1};  ///< unit: to the right, up, towards the viewer
+  LightAngles angles;         ///< of the chosen light
+  std::vector<Light> lamps;   ///< from the scene's centre: to the right, up, towards the viewer
+  std::size_t lamp = 0;       ///< the chosen one
+  double size = 1, unit = 1;  ///< of the scene, and the length that `inverse` takes for 1
   const BallCells& ball;
-  std::vector<std::string> ownLights = {};  ///< those that the scene has of its own: a row each
-  double ambient = 0, lights = 0;           ///< the intensities in force: Ia, and the sum of all Ip
-  bool IaIsOwn = false;                     ///< the scene says Ia
+  double ambient = 0, lights = 0;  ///< the intensities in force: Ia, and the sum of all Ip
+  bool IaIsOwn = false;            ///< the scene says Ia
   Look light, Ia, Ip;
 };
+/// Where the ring of a light is on the ball.
+[[nodiscard]] glm::ivec2 ringOf(const ControlColumn& at, const Light& lamp);
 /// Draws the headings, the light and the intensities on a background of paper.
 void drawLightControls(Pen& pen, const ControlColumn& at, const LightShown& shown);
 
@@ -84,12 +87,13 @@ void drawLightControls(Pen& pen, const ControlColumn& at, const LightShown& show
 /// The view of the picture with all its controls, keys and pointer.
 class PictureView : public WindowView {
  public:
-  /// `subject` is the scene that the controls change; `done` says which lessons were begun. All arguments
-  /// must outlive it.
+  /// `subject` is the scene that the controls change; `done` says which lessons were begun; `play` begins a
+  /// game about the picture. All arguments must outlive it.
   PictureView(
       Host& host, std::function<Subject()> subject,
-      std::function<std::vector<bool>()> done = [] { return std::vector<bool>{}; })
-      : WindowView{host}, subject_{std::move(subject)}, done_{std::move(done)} {
+      std::function<std::vector<bool>()> done = [] { return std::vector<bool>{}; },
+      std::function<void()> play = [] {})
+      : WindowView{host}, subject_{std::move(subject)}, done_{std::move(done)}, play_{std::move(play)} {
     list_.setFocus(ControlId{'s'});
   }
 
@@ -129,10 +133,15 @@ class PictureView : public WindowView {
   /// What a picture beside a drawer has above and below it: its title, and what was found, in large letters.
   void drawHeadlines(Painter paint, const DrawContext& context);
   void findInexactness(const DrawContext& context);
+  /// A light more, beside the chosen one, which gives it half of its Ip; and one less.
+  void addLamp();
+  void removeLamp();
 
   std::function<Subject()> subject_;
   std::function<std::vector<bool>()> done_;
+  std::function<void()> play_;
   bool opening_ = false, forBeginners_ = false;
+  bool toldOfTurning_ = false;
   std::optional<glm::ivec2>
       clicked_;  ///< where the picture was pressed, in units, if it was not dragged since
   // The state of the last drawing.
@@ -140,6 +149,7 @@ class PictureView : public WindowView {
   Layout at_;
   ControlColumn column_;
   glm::dmat3 toView_{1};  ///< from world coordinates to right, up, towards the viewer
+  std::size_t lamp_ = 0;  ///< the light that was chosen last
   View shownAs_ = View::Picture;
   ShownPicture shown_;
   CachedGroundTruth truth_;

@@ -26,6 +26,7 @@ constexpr std::array kWords{
     WordRow{"cut", "polygons that were split because no order of them was right", Lead::Cut, Number::Before},
     WordRow{"wrong face", "a face shows although another one is nearer", Lead::Wrong},
     WordRow{"wrong", "a face shows although another one is nearer", Lead::Wrong, Number::Before},
+    WordRow{"beside the right one", "the same picture without the mistake, in view 5", Lead::Right},
     WordRow{"cell", "a place in the colormap: it holds one colour, and the picture stores its number",
             Lead::Cell, Number::After},
     WordRow{"cells", "places in the colormap: each holds one colour, and the picture stores their numbers"},

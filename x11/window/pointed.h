@@ -12,8 +12,8 @@ namespace xnewell {
 /// buttons, counts are links, and words say what they mean.
 
 /// Where a count leads: to the first cut of the depth sort, to a pixel that is clamped or shows a wrong face,
-/// to a cell.
-enum class Lead { None, Cut, Clamped, Wrong, Cell };
+/// to a cell. The words of a mistake lead to the right picture.
+enum class Lead { None, Cut, Clamped, Wrong, Cell, Right };
 
 struct Pointed {
   Rect place;                   ///< of the cap, the count or the word

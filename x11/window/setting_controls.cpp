@@ -118,7 +118,7 @@ Control projectionControl(const Setup& shown, ChangeSetup change) {
 /// The order of the controls: sliders, toggles, choices, the hue, and the choices that have no place in the
 /// column.
 int rankOf(const Setting& setting) {
-  if (setting.slider) return 0;
+  if (setting.slider) return setting.section == Section::Method ? 2 : 0;  // `crease` follows the normals
   if (setting.field.kind == ValueKind::Flag) return 1;
   if (setting.field.kind == ValueKind::Triple) return 3;
   return setting.section == Section::Hidden ? 4 : 2;
@@ -146,15 +146,15 @@ Control gammaControl(double shown, std::function<void(double gamma)> change) {
   return control;
 }
 
-std::string ownOfScene(char control, const Scene& scene) {
+std::string ownOfScene(char control, const Setup& shown, const Scene& scene) {
   const Setting* const setting = settingOf(control == '[' ? 'i' : control == ']' ? 'p' : control);
-  const std::string_view what = control == 'l' ? "lights" : setting ? setting->replaces : "";
+  const std::string_view what = setting ? setting->replaces : "";
   if (what == "ambient")
     return scene.light.Ia ? "The scene has its own ambient light, so Ia cannot be changed." : "";
   if (what == "lights")
-    return scene.light.lights.empty()
-               ? ""
-               : "The scene has its own lights, so Ip and the light's direction cannot be changed.";
+    return hasOwnLamps(shown, scene)
+               ? "The scene has its own lights: in view 1, l chooses one and p changes its Ip."
+               : "";
   const auto own = [&](int material) {
     if (material < 0) return false;
     const MeshMaterial& m = scene.mesh.materials[static_cast<std::size_t>(material)];
@@ -176,7 +176,7 @@ Controls settingControls(const Setup& shown, const Setup& defaults, const Change
     }
   }
   for (Control& control : all)
-    if (control.enabled()) control.off = ownOfScene(control.key, scene);
+    if (control.enabled()) control.off = ownOfScene(control.key, shown, scene);
   return all;
 }
 
@@ -197,18 +197,22 @@ Controls cameraControls(const Setup& shown, const Subject& subject, const Change
            .move = [=](int along, int up) { zoom(change, shown, subject, std::pow(1.02, along + up)); }}};
 }
 
-Control lightControl(const Setup& shown, const Subject& subject, const ChangeSetup& change) {
+Control lightControl(const Setup& shown, const Subject& subject, const ChangeSetup& change,
+                     std::size_t lamp) {
   const auto degrees = [](double angle) { return fixed(angle, 0) + "\u00B0"; };
-  const LightAngles at = lightAngles(shown.picture.light, subject.scene.up, subject.centre);
+  const glm::dvec3 centre = inSceneUnits(subject.centre, subject.scene);
+  const LightAngles at = lightAngles(lampsOf(shown, subject.scene)[lamp], subject.scene.up, centre);
   return {.kind = Kind::Own,
           .key = 'l',
+          .part = static_cast<int>(lamp),
           .label = "light",
           .is = "where the light is: drag it on the ball",
           .words = "azimuth " + degrees(at.azimuth) + ", elevation " + degrees(at.elevation),
-          .off = ownOfScene('l', subject.scene),
           .move = [=](int along, int up) {
             change('l', [&](Setup& s) {
-              turnLight(s.picture.light, subject.scene.up, along, up, subject.centre);
+              Light light = lampsOf(s, subject.scene)[lamp];
+              turnLight(light, subject.scene.up, along, up, centre);
+              putLamp(s, subject.scene, lamp, light);
             });
           }};
 }

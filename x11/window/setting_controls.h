@@ -31,12 +31,13 @@ struct Subject {
                                        const Scene& scene);
 /// Why the control of a key has no effect on the scene: a sentence, where the scene has of its own what the
 /// setting would say (Setting::replaces). "" if it has not.
-[[nodiscard]] std::string ownOfScene(char control, const Scene& scene);
+[[nodiscard]] std::string ownOfScene(char control, const Setup& shown, const Scene& scene);
 
 /// Turning and zooming, as controls that the arrows change.
 [[nodiscard]] Controls cameraControls(const Setup& shown, const Subject& subject, const ChangeSetup& change);
-/// Where the light is, as a control that the arrows turn. Its words are the angles.
-[[nodiscard]] Control lightControl(const Setup& shown, const Subject& subject, const ChangeSetup& change);
+/// Where one of lampsOf() is, as a control that the arrows turn. Its words are the angles.
+[[nodiscard]] Control lightControl(const Setup& shown, const Subject& subject, const ChangeSetup& change,
+                                   std::size_t lamp = 0);
 
 /// `+` and `-`: nearer and farther by a tenth.
 [[nodiscard]] KeyTable zoomKeys(const Setup& shown, const Subject& subject, const ChangeSetup& change);

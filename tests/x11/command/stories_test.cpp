@@ -142,14 +142,20 @@ struct StoryWindow : Workbench {
     }
   }
   /// What is written so, last; key caps are pressed.
+  /// What was written last with these words; if nothing is, they may be a part of it.
   void click(const std::string& words) {
-    const auto one = std::find_if(writing().rbegin(), writing().rend(), [&](const Written& written) {
-      return written.words == words && written.pitch > 0;
-    });
+    const auto find = [&](bool whole) {
+      return std::find_if(writing().rbegin(), writing().rend(), [&](const Written& one) {
+        return one.pitch > 0 && (whole ? one.words == words : one.words.find(words) != words.npos);
+      });
+    };
+    const auto one = find(true) != writing().rend() ? find(true) : find(false);
     ASSERT_NE(one, writing().rend()) << words;
-    const Rect at = one->place * layout().unit;
-    hover(at.x + at.width / 2, at.y + at.height / 2);
-    (void)grab(at.x + at.width / 2, at.y + at.height / 2);
+    const auto letters = static_cast<int>(2 * one->words.find(words) + words.size());
+    const int x = (one->place.x + letters * one->pitch / 2) * layout().unit,
+              y = (one->place.y + one->place.height / 2) * layout().unit;
+    hover(x, y);
+    (void)grab(x, y);
     settle();
     finish();
   }
@@ -236,6 +242,8 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
     if (verb == "warns") return panel.typed ? panel.typed->complaint : panel.notice;
     if (verb == "view")
       return std::string{std::ranges::find(kWindowViews, window_->view(), &ViewRow::id)->name};
+    if (verb == "told") return panel.told;
+    if (verb == "ribbon") return panel.mistake;
     if (verb == "status") return panel.status + "   " + panel.aside;
     if (verb != "setup") return {};
     window_->press('C');

@@ -332,7 +332,7 @@ TEST(ColorsWindow, EverySizeShowsSomething) {
   setup.fill = Fill::XFillPolygon;
   ReadyWorkbench small{setup, 640, 480};
   const IndexImage picture = small.image();
-  small.type("3");
+  small.switchTo(View::Colors);
   small.finish();
   EXPECT_EQ(small.image(), picture);
   EXPECT_TRUE(small.serverFills());

@@ -120,8 +120,8 @@ TEST(Controls, TracksInvert) {
 // up, stop at the zenith and wrap at 180.
 TEST(Controls, LightAngles) {
   for (const UpAxis up : {UpAxis::Y, UpAxis::Z}) {
-    Illumination light;
-    light.light = up == UpAxis::Z ? glm::dvec3{-1, -1, 0} : glm::dvec3{-1, 0, 1};
+    Light light;
+    light.direction = up == UpAxis::Z ? glm::dvec3{-1, -1, 0} : glm::dvec3{-1, 0, 1};
     EXPECT_NEAR(lightAngles(light, up).azimuth, -45, 1e-12);
     EXPECT_NEAR(lightAngles(light, up).elevation, 0, 1e-12);
     turnLight(light, up, 60, 30);
@@ -168,12 +168,12 @@ TEST(Controls, WholeNumbersStayWhole) {
 
 // A point light turns about the scene's centre and keeps its distance.
 TEST(Controls, PointLightKeepsItsDistance) {
-  Illumination light;
+  Light light{.kind = LightKind::Point};
   const glm::dvec3 centre{1, 2, 3};
-  light.lightPosition = centre + glm::dvec3{0, -4, 3};
+  light.position = centre + glm::dvec3{0, -4, 3};
   EXPECT_NEAR(lightAngles(light, UpAxis::Z, centre).azimuth, 0, 1e-12);
   turnLight(light, UpAxis::Z, 90, 0, centre);
-  const glm::dvec3 arm = *light.lightPosition - centre;
+  const glm::dvec3 arm = light.position - centre;
   EXPECT_NEAR(std::sqrt(arm.x * arm.x + arm.y * arm.y + arm.z * arm.z), 5, 1e-12);
   EXPECT_NEAR(lightAngles(light, UpAxis::Z, centre).azimuth, 90, 1e-9);
 }
