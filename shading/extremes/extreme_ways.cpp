@@ -173,38 +173,30 @@ PictureSettings& phong(PictureSettings& settings) {
   return settings;
 }
 
+/// By powers of `base` up to this one.
+Way scaled(int base, int to) {
+  const bool two = base == 2;
+  const int step = two ? 100 : 30;
+  return {.name = to > 0 ? "scaled up by" : "scaled down by",
+          .unit = two ? "(powers of two)" : "(powers of ten)",
+          .drives = two ? "All coordinates are multiplied by a power of two."
+                        : "All coordinates are multiplied by a power of ten, which rounds them.",
+          .values = powers(base, 0, to, to > 0 ? step : -step),
+          .changesNothing = true,
+          .at = multiplied,
+          .why = [two](const Start&, double) -> std::string {
+            return two ? "Multiplying by a power of two is exact." : "The products are rounded by 2^-53.";
+          }};
+}
+
 }  // namespace
 
 const std::vector<Way>& extremeWays() {
   static const std::vector<Way> all{
-      {.name = "scaled up by",
-       .unit = "(powers of two)",
-       .drives = "All coordinates are multiplied by a power of two.",
-       .values = powers(2, 0, 900, 100),
-       .changesNothing = true,
-       .at = multiplied,
-       .why = [](const Start&, double) { return "Multiplying by a power of two is exact."; }},
-      {.name = "scaled down by",
-       .unit = "(powers of two)",
-       .drives = "All coordinates are multiplied by a power of two.",
-       .values = powers(2, 0, -900, -100),
-       .changesNothing = true,
-       .at = multiplied,
-       .why = [](const Start&, double) { return "Multiplying by a power of two is exact."; }},
-      {.name = "scaled up by",
-       .unit = "(powers of ten)",
-       .drives = "All coordinates are multiplied by a power of ten, which rounds them.",
-       .values = powers(10, 0, 270, 30),
-       .changesNothing = true,
-       .at = multiplied,
-       .why = [](const Start&, double) { return "The products are rounded by 2^-53."; }},
-      {.name = "scaled down by",
-       .unit = "(powers of ten)",
-       .drives = "All coordinates are multiplied by a power of ten, which rounds them.",
-       .values = powers(10, 0, -270, -30),
-       .changesNothing = true,
-       .at = multiplied,
-       .why = [](const Start&, double) { return "The products are rounded by 2^-53."; }},
+      scaled(2, 900),
+      scaled(2, -900),
+      scaled(10, 270),
+      scaled(10, -270),
       {.name = "moved by",
        .unit = "times its size",
        .drives = "All coordinates are moved by (d, -d, d), and so is the camera.",

@@ -107,10 +107,10 @@ std::optional<Rays::Hit> Rays::meet(const Part& part, const Ray& ray) const {
   return Hit{part.face, t, part.play / abs(slope)};
 }
 
-std::optional<Rays::Hit> Rays::nearest(TwoDoubles x, TwoDoubles y) const {
+std::optional<Rays::Hit> Rays::nearestOf(std::span<const Part> parts, TwoDoubles x, TwoDoubles y) const {
   const Ray along = ray(x, y);
   std::optional<Hit> nearest;
-  for (const Part& part : parts_) {
+  for (const Part& part : parts) {
     if (x < part.x0 || x > part.x1 || y < part.y0 || y > part.y1) continue;
     const std::optional<Hit> hit = meet(part, along);
     if (hit && (!nearest || hit->t < nearest->t)) nearest = hit;
@@ -119,14 +119,7 @@ std::optional<Rays::Hit> Rays::nearest(TwoDoubles x, TwoDoubles y) const {
 }
 
 std::optional<Rays::Hit> Rays::hit(int face, TwoDoubles x, TwoDoubles y) const {
-  const Ray along = ray(x, y);
-  std::optional<Hit> nearest;
-  for (auto part = std::ranges::lower_bound(parts_, face, {}, &Part::face);
-       part != parts_.end() && part->face == face; ++part) {
-    const std::optional<Hit> hit = meet(*part, along);
-    if (hit && (!nearest || hit->t < nearest->t)) nearest = hit;
-  }
-  return nearest;
+  return nearestOf(std::ranges::equal_range(parts_, face, {}, &Part::face), x, y);
 }
 
 TwoDoubles Rays::z(const Hit& hit, TwoDoubles x, TwoDoubles y) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/exact/two_doubles.h"
@@ -27,7 +28,9 @@ class Rays {
     TwoDoubles play;
   };
   /// The nearest face at a place of the picture, x and y in pixels; nothing if the ray meets no face.
-  [[nodiscard]] std::optional<Hit> nearest(TwoDoubles x, TwoDoubles y) const;
+  [[nodiscard]] std::optional<Hit> nearest(TwoDoubles x, TwoDoubles y) const {
+    return nearestOf(parts_, x, y);
+  }
   /// The place where the ray at (x, y) meets a face; nothing if it does not meet it.
   [[nodiscard]] std::optional<Hit> hit(int face, TwoDoubles x, TwoDoubles y) const;
   /// The z of a hit of the ray at (x, y), in pixels of the view plane, larger where it is nearer: 1 / depth
@@ -49,6 +52,7 @@ class Rays {
   };
   [[nodiscard]] Ray ray(TwoDoubles x, TwoDoubles y) const;
   [[nodiscard]] std::optional<Hit> meet(const Part& part, const Ray& ray) const;
+  [[nodiscard]] std::optional<Hit> nearestOf(std::span<const Part> parts, TwoDoubles x, TwoDoubles y) const;
   void bound(Part& part) const;
 
   const Scene& scene_;

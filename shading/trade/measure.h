@@ -1,13 +1,17 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "shading/laboratory/ground_truth.h"
+#include "shading/picture/picture.h"
 #include "shading/picture/picture_cache.h"
+#include "shading/trade/timing.h"
 #include "shading/trade/trade.h"
 
 namespace xnewell {
@@ -22,22 +26,14 @@ class Stages {
   std::vector<StageTimes> all_;
 };
 
-/// What one run of a configuration tells.
-struct Glance {
-  double ms = 0;      ///< of the processor
-  StageTimes stages;  ///< their sum is `ms`
-  double rms = 0;     ///< the error of the intensity after the table; infinite if there is no picture
-};
-
 /// Measures configurations of one scene: their errors on the user's view and on other views, and what they
 /// cost. It keeps the scene with each number of divisions, and the references. Of those that no picture's own
 /// polygons are, it keeps only the faces that show: a scene may have millions, and there are four views.
-/// Tests put other times in the place of those of this machine.
 class Measure {
  public:
   /// @throws ViewError if the set-up has no picture
   Measure(const Shared<Scene>& scene, const PictureSettings& settings);
-  virtual ~Measure() = default;
+  ~Measure() = default;
   Measure(const Measure&) = delete;
   Measure& operator=(const Measure&) = delete;
 
@@ -57,14 +53,12 @@ class Measure {
   /// All errors, and all costs but the times. Precondition: no refusal().
   [[nodiscard]] Measured whole(const Configuration& configuration) { return measured(configuration, true); }
   /// The same without what only a closer look needs: colours, distances.
-  [[nodiscard]] virtual Measured brief(const Configuration& configuration) {
-    return measured(configuration, false);
-  }
-  /// One picture of the user's view, with its error. The time is the least of up to nine runs if they are
-  /// short.
-  [[nodiscard]] virtual Glance glance(const Configuration& configuration);
+  [[nodiscard]] Measured brief(const Configuration& configuration) { return measured(configuration, false); }
+  /// One picture of the user's view: the RMS error, and the least time of up to nine runs if they are short.
+  /// Nothing if there is no such picture.
+  [[nodiscard]] std::optional<Measured> glance(const Configuration& configuration);
   /// Makes the picture as if it were the first. Returns the processor's time in milliseconds.
-  virtual double run(const Configuration& configuration, Stages& stages);
+  double run(const Configuration& configuration, Stages& stages);
 
  private:
   /// A view: its camera, and what it should show.
@@ -95,5 +89,23 @@ class Measure {
   std::vector<SeenFrom> others_;
   std::map<std::pair<int, const SeenFrom*>, Polygons> polygons_;  ///< by divisions and view
 };
+
+/// What an item of requiredBy() costs is measured in one of two ways. Either the picture is made of another
+/// scene, or with other settings, which do not require the item: the difference in time is its cost. Or the
+/// item is a step of its own, which is done alone.
+struct ItemRow {
+  std::string_view name;  ///< as in Required
+  /// Changes the scene and the settings so that the item is not required, and as little else as possible.
+  void (*without)(Scene& scene, PictureSettings& settings) = nullptr;
+  /// The step alone, if `without` is null.
+  std::function<void()> (*alone)(const Picture& picture) = nullptr;
+};
+/// One row for each item.
+[[nodiscard]] const std::vector<ItemRow>& itemRows();
+
+/// The picture as it is and without one item each run in turn. The costs do not add up to the picture's time:
+/// without light, for example, there are no highlights either.
+[[nodiscard]] std::vector<ItemCost> itemCostsOf(const Picture& picture, const TimingLimits& limits,
+                                                const TimingProgress& goOn = {});
 
 }  // namespace xnewell

@@ -6,13 +6,13 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <map>
 #include <numeric>
+#include <set>
+#include <tuple>
 
 #include "geometry/exact/box.h"
 #include "geometry/exact/give_up.h"
 #include "shading/scene/units.h"
-#include "shading/trade/choice.h"
 #include "shading/trade/measure.h"
 
 namespace xnewell {
@@ -147,54 +147,54 @@ std::string sentenceOf(const TradeRow& row, const Axis& axis, const Measured& as
 /// ---- Which combinations are worth a look?
 ///
 /// There are far too many to try all. The search looks at one after the other: it paints it once, which tells
-/// the error, and roughly the time. What comes next is one change away from a combination that was tried. Its
-/// time and error are predicted from what the same change did when it was last tried: it multiplied the time,
-/// and it added to the square of the error, or left a share of it. A change that was never tried is expected
-/// to help. What it shows corrects the predictions. Promise is the time, in times of the fastest that is as
-/// accurate.
+/// the error, and roughly the time. What comes next is one change away from something promising that was
+/// tried, and the changes that promise most alone come first. So it soon has the best changes together.
+/// Promise is the time, in times of the fastest that is as accurate.
 
 class Search {
  public:
   /// `measure` must outlive it.
-  Search(Measure& measure, const std::vector<Axis>& axes) : measure_{measure}, axes_{axes} {
-    for (const Axis& axis : axes) effects_.emplace_back(axis.others.size() + 1);
-  }
+  Search(Measure& measure, const std::vector<Axis>& axes) : measure_{measure}, axes_{axes} {}
 
   /// Takes over what is known of a configuration.
-  void know(const Measured& measured) {
+  void know(Measured measured) {
     Key key(axes_.size(), 0);
     for (const Change& change : measured.configuration.changes)
       for (std::size_t k = 0; k < axes_.size(); ++k)
         if (axes_[k].setting == change.setting)
-          key[k] = static_cast<std::int8_t>(
-              1 + (std::ranges::find(axes_[k].others, change.value) - axes_[k].others.begin()));
-    const double rms = std::max(measured.here.afterTable.rootMeanSquare, measured.elsewhere);
+          key[k] = 1 + static_cast<int>(std::ranges::find(axes_[k].others, change.value) -
+                                        axes_[k].others.begin());
+    seen_.insert(key);
     const StageTimes& t = measured.cost.stages;
-    take(key, {t.shade + t.transform + t.sort + t.fill, rms * rms}, measured);
+    const double error = std::max(measured.here.afterTable.rootMeanSquare, measured.elsewhere);
+    Tried one{std::move(key), t.shade + t.transform + t.sort + t.fill, error, std::move(measured)};
+    for (Tried& other : tried_) {
+      one.idle = one.idle || makesIdle(other, one);
+      other.idle = other.idle || makesIdle(one, other);
+    }
+    tried_.push_back(std::move(one));
   }
 
-  /// Tries the most promising candidate. Returns false if nothing is left to try.
+  /// Tries the next one. Returns false if nothing is left to try.
   bool step() {
-    constexpr double kHopeless = 2;  // candidates that promise less are left
+    constexpr double kHopeless = 2;  // what promises less is not changed further
+    if (moves_.empty()) findMoves();
     for (;;) {
-      auto best = candidates_.end();
-      double least = kHopeless;
-      for (auto at = candidates_.begin(); at != candidates_.end(); ++at)
-        if (!tried_[at->second.from].idle)
-          if (const double value = promise(at->second.to); value < least) least = value, best = at;
-      if (best == candidates_.end()) return false;
-      const Key key = best->first;
-      candidates_.erase(best);
-      seen_.emplace(key, -1);
-      Measured one;
-      one.configuration = configurationOf(key);
-      if (!allHaveEffect(one.configuration, measure_.asked())) continue;
-      const Glance glance = measure_.glance(one.configuration);
-      if (std::isinf(glance.rms)) return true;
-      one.here.afterTable.rootMeanSquare = glance.rms;
-      one.cost.time = {.ms = glance.ms};
-      one.cost.stages = glance.stages;
-      take(key, {glance.ms, glance.rms * glance.rms}, std::move(one));
+      Tried* from = nullptr;
+      for (Tried& one : tried_)
+        if (!one.idle && one.moves < moves_.size() && (!from || one.moves < from->moves) &&
+            promise(one) < kHopeless)
+          from = &one;
+      if (from == nullptr) return false;
+      const auto [axis, value] = moves_[from->moves++];
+      Key key = from->key;
+      key[axis] = value;
+      if (!seen_.insert(key).second) continue;
+      Configuration one = measure_.askedConfiguration();
+      for (std::size_t k = 0; k < axes_.size(); ++k)
+        if (key[k] > 0) one = changed(one, axes_[k], axes_[k].others[key[k] - 1]);
+      if (!allHaveEffect(one, measure_.asked())) continue;
+      if (std::optional<Measured> measured = measure_.glance(one)) know(std::move(*measured));
       return true;
     }
   }
@@ -202,12 +202,12 @@ class Search {
   [[nodiscard]] std::size_t count() const { return tried_.size(); }
   /// The `most` that are nearest to the front, the nearest first. Changes that bring nothing are left out.
   [[nodiscard]] std::vector<Measured> nearFront(std::size_t most) const {
-    std::vector<const Tried*> all;
+    std::vector<std::pair<double, const Tried*>> all;
     for (const Tried& one : tried_)
-      if (!one.idle) all.push_back(&one);
-    std::ranges::stable_sort(all, {}, [&](const Tried* one) { return promise(one->look); });
+      if (!one.idle) all.emplace_back(promise(one), &one);
+    std::ranges::stable_sort(all, {}, [](const auto& one) { return one.first; });
     std::vector<Measured> near;
-    for (const Tried* one : all)
+    for (const auto& [value, one] : all)
       if (near.size() < most) near.push_back(one->measured);
     return near;
   }
@@ -216,8 +216,8 @@ class Search {
     std::string all;
     for (std::size_t k = 0; k < axes_.size(); ++k) {
       std::string values;
-      for (std::size_t v = 1; v <= axes_[k].others.size(); ++v)
-        if (std::ranges::none_of(tried_, [&](const Tried& one) { return one.key[k] == static_cast<int>(v); }))
+      for (int v = 1; v <= std::ssize(axes_[k].others); ++v)
+        if (std::ranges::none_of(tried_, [&](const Tried& one) { return one.key[k] == v; }))
           values += (values.empty() ? " " : ", ") + axes_[k].text(axes_[k].others[v - 1]);
       if (!values.empty()) all += (all.empty() ? "--" : "; --") + std::string{axes_[k].name()} + values;
     }
@@ -226,104 +226,52 @@ class Search {
 
  private:
   /// For each axis the value: 0 as it is, otherwise 1 + the index of another.
-  using Key = std::vector<std::int8_t>;
-  struct Look {
-    double ms = 0, square = 0;  ///< of the RMS error
-  };
+  using Key = std::vector<int>;
   struct Tried {
     Key key;
-    Look look;
+    double ms, error;
     Measured measured;
-    bool idle = false;  ///< some of its changes bring nothing
-  };
-  struct Candidate {
-    std::size_t from;  ///< index into tried_
-    Look to;
-  };
-  /// What a value does beside the value as it is.
-  struct Effect {
-    bool known = false;
-    double ratio = 1;              ///< of the time
-    double square = 0, share = 1;  ///< of the error: what is added, and what of it is left
+    bool idle = false;      ///< some of its changes bring nothing
+    std::size_t moves = 0;  ///< how many of them were made
   };
 
-  [[nodiscard]] Configuration configurationOf(const Key& key) const {
-    Configuration one = measure_.askedConfiguration();
+  /// The changes of one value, the most promising first. Those that were tried alone and lose are left out;
+  /// those that have no effect alone come last.
+  void findMoves() {
+    constexpr double kLoses = 3;
+    std::vector<std::tuple<double, std::size_t, int>> all;
     for (std::size_t k = 0; k < axes_.size(); ++k)
-      if (key[k] > 0) one = changed(one, axes_[k], axes_[k].others[key[k] - 1]);
-    return one;
+      for (int v = 1; v <= std::ssize(axes_[k].others); ++v) {
+        Key key(axes_.size(), 0);
+        key[k] = v;
+        const auto alone = std::ranges::find(tried_, key, &Tried::key);
+        const double value = alone == tried_.end() ? kLoses : promise(*alone);
+        if (value <= kLoses) all.emplace_back(value, k, v);
+      }
+    std::ranges::sort(all);
+    for (const auto& [value, axis, to] : all) moves_.emplace_back(axis, to);
   }
-  /// Its time in times of the fastest tried that is as accurate. What would be more accurate than anything
-  /// comes first, the cheap before the dear.
-  [[nodiscard]] double promise(const Look& look) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Tried& one : tried_)
-      if (one.look.square <= look.square) least = std::min(least, one.look.ms);
-    return std::isinf(least) ? 1e-3 * look.ms / tried_.front().look.ms : look.ms / least;
+  /// Its time in times of the fastest tried that is as accurate.
+  [[nodiscard]] double promise(const Tried& one) const {
+    double least = one.ms;
+    for (const Tried& other : tried_)
+      if (other.error <= kErrorTie * one.error) least = std::min(least, other.ms);
+    return one.ms / least;
   }
   /// True if `other` is as fast and as accurate with some of its changes alone: those of `simple`.
   [[nodiscard]] static bool makesIdle(const Tried& simple, const Tried& other) {
     constexpr double kIdle = 1.1;  // a change brings nothing if it is at most so many times as slow without
-    bool part = simple.look.ms <= kIdle * other.look.ms &&
-                simple.look.square <= kErrorTie * kErrorTie * other.look.square;
+    bool part = simple.ms <= kIdle * other.ms && simple.error <= kErrorTie * other.error;
     for (std::size_t k = 0; k < simple.key.size(); ++k)
       part = part && (simple.key[k] == 0 || simple.key[k] == other.key[k]);
     return part;
   }
 
-  void take(const Key& key, const Look& look, Measured measured) {
-    const auto [at, isNew] = seen_.emplace(key, -1);
-    if (!isNew && at->second >= 0) return;
-    at->second = static_cast<int>(tried_.size());
-    Tried one{key, look, std::move(measured)};
-    for (Tried& other : tried_) {
-      one.idle = one.idle || makesIdle(other, one);
-      other.idle = other.idle || makesIdle(one, other);
-    }
-    learn(one);
-    tried_.push_back(std::move(one));
-    candidates_.erase(key);
-    expand(tried_.back());
-  }
-  /// From a combination that differs in one value.
-  void learn(const Tried& one) {
-    for (const Tried& from : tried_) {
-      const auto [a, b] = std::ranges::mismatch(from.key, one.key);
-      if (!std::equal(a + 1, from.key.end(), b + 1)) continue;
-      std::vector<Effect>& values = effects_[static_cast<std::size_t>(a - from.key.begin())];
-      if (*b > 0)
-        values[*b] = {true, values[*a].ratio * one.look.ms / from.look.ms,
-                      values[*a].square + one.look.square - from.look.square,
-                      from.look.square > 0 ? values[*a].share * one.look.square / from.look.square : 1.0};
-    }
-  }
-  /// All that is one change away, and is expected to be faster or more accurate, by more than chance.
-  void expand(const Tried& from) {
-    constexpr double kLeast = 0.02;  // of the square: an error does not vanish
-    for (std::size_t k = 0; k < axes_.size() && !from.idle; ++k)
-      for (std::size_t v = 0; v < effects_[k].size(); ++v) {
-        Key key = from.key;
-        key[k] = static_cast<std::int8_t>(v);
-        if (seen_.contains(key)) continue;
-        const Effect &before = effects_[k][from.key[k]], &after = effects_[k][v];
-        const Look& now = from.look;
-        const double added = after.square - before.square;
-        Look to{now.ms * after.ratio / before.ratio,
-                added > 0          ? now.square + added
-                : before.share > 0 ? now.square * std::max(kLeast, after.share / before.share)
-                                   : now.square};
-        if (v > 0 && !after.known) to = {now.ms, now.square / 2};
-        if (kErrorTie * to.ms < now.ms || kErrorTie * kErrorTie * to.square < now.square)
-          candidates_[key] = {tried_.size() - 1, to};
-      }
-  }
-
   Measure& measure_;
   const std::vector<Axis>& axes_;
-  std::vector<std::vector<Effect>> effects_;  ///< by axis and value
   std::vector<Tried> tried_;
-  std::map<Key, int> seen_;  ///< indices into tried_; -1 for what has no picture
-  std::map<Key, Candidate> candidates_;
+  std::set<Key> seen_;
+  std::vector<std::pair<std::size_t, int>> moves_;  ///< an axis and its value
 };
 
 /// The trade while it is made.
@@ -531,6 +479,112 @@ Trade tradeOf(const Shared<Scene>& scene, const PictureSettings& settings, const
 
 Trade tradeOf(Measure& measure, const TradeRequest& request, const TradeProgress& progress) {
   return Trader{measure, request, progress, processorMs()}.make();
+}
+
+/// ---- The front, and the choice on it
+
+namespace {
+
+std::string textIn(double v, const char* format) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, v);
+  return text;
+}
+std::string error(double v) { return textIn(v, "%.2g"); }
+std::string ms(double v) { return textIn(v, v < 9.95 ? "%.2g" : "%.0f") + " ms"; }
+
+std::string samples(std::int64_t count) {
+  return (count == 0 ? "No" : std::to_string(count)) + (count <= 1 ? " sample shows" : " samples show");
+}
+
+bool keeps(const Measured& one, const AccuracyLimit& limit) {
+  return errorOnAllViews(one) <= (1 - kSpare) * limit.rms &&
+         (!limit.wrong || one.here.wrongFaces <= *limit.wrong);
+}
+
+/// The next combination on the front that is cheaper, if there is one.
+const Measured* nextCheaper(const Trade& trade, const Measured& chosen) {
+  const Measured* next = nullptr;
+  for (const int k : trade.front)
+    if (trade.combinations[k].cost.time.ratio < chosen.cost.time.ratio) next = &trade.combinations[k];
+  return next;
+}
+
+}  // namespace
+
+std::vector<int> frontOf(const std::vector<Measured>& measured) {
+  std::vector<int> order(measured.size()), front;
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](int k) { return measured[k].cost.time.ratio; });
+  for (const int k : order) {
+    if (!front.empty() && kErrorTie * measured[k].elsewhere >= measured[front.back()].elsewhere) continue;
+    while (!front.empty() && measured[front.back()].cost.time.interval.meets(measured[k].cost.time.interval))
+      front.pop_back();
+    front.push_back(k);
+  }
+  return front;
+}
+
+bool areTimed(const std::vector<Measured>& some) {
+  return std::ranges::any_of(some, [](const Measured& one) { return one.cost.time.ms > 0; });
+}
+
+Trade withSingles(Trade trade) {
+  trade.combinations.clear();
+  if (trade.asked.cost.time.ms > 0) {
+    trade.combinations.push_back(trade.asked);
+    for (const TradeRow& row : trade.rows) trade.combinations.push_back(row.measured);
+  }
+  trade.front = frontOf(trade.combinations);
+  return trade;
+}
+
+double errorOnAllViews(const Measured& one) {
+  return std::max(one.elsewhere, one.here.afterTable.rootMeanSquare);
+}
+
+std::pair<std::string, std::string> toldApart(double a, double b) {
+  for (int digits = 2; digits < 17; ++digits) {
+    const std::string format = "%." + std::to_string(digits) + "g";
+    std::pair both{textIn(a, format.c_str()), textIn(b, format.c_str())};
+    if (both.first != both.second || a == b) return both;
+  }
+  return {error(a), error(b)};
+}
+
+Chosen chooseWithin(const Trade& trade, const AccuracyLimit& limit) {
+  Chosen choice;
+  const std::vector<Measured>& all = trade.combinations;
+  if (all.empty()) return choice;
+  std::vector<Measured> kept;
+  std::vector<int> indices;
+  for (int k = 0; k < static_cast<int>(all.size()); ++k)
+    if (keeps(all[k], limit)) kept.push_back(all[k]), indices.push_back(k);
+  choice.accurate = !kept.empty();
+  choice.combination =
+      choice.accurate ? indices[frontOf(kept).front()]
+                      : static_cast<int>(std::ranges::min_element(all, {}, errorOnAllViews) - all.begin());
+  const Measured& chosen = all[choice.combination];
+  choice.why.push_back("Of " + std::to_string(all.size()) + " combinations that were timed, it is the " +
+                       (choice.accurate ? "cheapest on the front within the limit, with " +
+                                              textOf(100 * kSpare) + " % to spare."
+                                        : "most accurate."));
+  const auto [off, allowed] = toldApart(errorOnAllViews(chosen), limit.rms);
+  choice.why.push_back("Its RMS error is at most " + off + " in this view and in " +
+                       std::to_string(trade.views) + " turned ones" +
+                       (errorOnAllViews(chosen) <= limit.rms ? ", and " : ", but ") + allowed +
+                       " is allowed. It takes " + ms(chosen.cost.time.ms) + ".");
+  if (!choice.accurate)
+    choice.why.push_back(trade.neverTried.empty()
+                             ? "Every value of every short cut was tried, but not every combination."
+                             : "Never tried: " + trade.neverTried + ".");
+  else if (const Measured* const next = nextCheaper(trade, chosen))
+    choice.why.push_back("The next cheaper on the front, " + next->configuration.name() + ", takes " +
+                         ms(next->cost.time.ms) + " and is off by " + error(errorOnAllViews(*next)) + ".");
+  choice.why.push_back(
+      samples(chosen.here.wrongFaces) + " a wrong face. " +
+      (limit.wrong ? std::to_string(*limit.wrong) + " may." : "The limit is for the intensity alone."));
+  return choice;
 }
 
 }  // namespace xnewell

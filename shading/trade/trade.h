@@ -5,12 +5,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "shading/laboratory/errors.h"
 #include "shading/picture/shared.h"
 #include "shading/trade/configuration.h"
-#include "shading/trade/item_costs.h"
+#include "shading/trade/timing.h"
 #include "shading/trade/trade_request.h"
 
 namespace xnewell {
@@ -47,6 +48,14 @@ struct Measured {
   double elsewhere = 0;  ///< the largest RMS error of the intensity after the table, on the other views
   Cost cost;
   bool samePixels = false;  ///< it shows exactly what the set-up that was asked for shows
+};
+
+/// What one item costs that a picture requires (required.h).
+struct ItemCost {
+  std::string_view name;
+  /// Milliseconds of the processor: those of the step alone, or the median share of the picture's time that
+  /// is saved without the item, times the picture's time; 0 if chance explains the difference.
+  double ms = 0;
 };
 
 /// One short cut at one value, and everything else as the user asked.
@@ -91,5 +100,43 @@ using TradeProgress = std::function<bool(const std::string& doing, const Trade& 
 
 /// "saves 23 % of the time", "takes 1.4 times as long", "takes as long".
 [[nodiscard]] std::string savingOf(const Timing& time);
+
+/// The front of a trade, and the choice on it.
+
+/// Errors are equal if the larger is at most so many times the smaller.
+inline constexpr double kErrorTie = 1.05;
+
+/// The indices of those for which no other is cheaper and more accurate (by Measured::elsewhere), the
+/// cheapest first. Of two that are equally fast, as far as their times tell, the more accurate counts; of two
+/// that are equally accurate (kErrorTie), the faster.
+[[nodiscard]] std::vector<int> frontOf(const std::vector<Measured>& measured);
+
+/// True if any of them has a time.
+[[nodiscard]] bool areTimed(const std::vector<Measured>& some);
+
+/// A trade that is not far enough for combinations, with the single short cuts in their place; without any
+/// if these have no times either.
+[[nodiscard]] Trade withSingles(Trade trade);
+
+/// The cheapest configuration that is accurate enough, and why it is this one.
+struct Chosen {
+  int combination = -1;   ///< index into Trade::combinations; -1 if there are none
+  bool accurate = false;  ///< its error stays within the limit; otherwise it is the most accurate of all
+  std::vector<std::string> why = {};  ///< sentences, with numbers
+};
+
+/// The largest RMS error of the intensity that a combination has on any view, the user's own included.
+[[nodiscard]] double errorOnAllViews(const Measured& one);
+
+/// What is chosen stays below the limit by this share, because other samples of the same view have a slightly
+/// different error.
+inline constexpr double kSpare = 0.03;
+
+/// The cheapest point of the front of those combinations that keep the limit: on all views with kSpare for
+/// the RMS error, on the user's own view for wrong faces. If none does, the most accurate of all.
+[[nodiscard]] Chosen chooseWithin(const Trade& trade, const AccuracyLimit& limit);
+
+/// Two numbers in two digits, or in as many as it takes to tell them apart: {"0.012", "0.01"}.
+[[nodiscard]] std::pair<std::string, std::string> toldApart(double a, double b);
 
 }  // namespace xnewell

@@ -16,7 +16,7 @@
 
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/units.h"
-#include "shading/trade/choice.h"
+#include "shading/trade/trade.h"
 #include "shading/trade/measure.h"
 #include "tests/support/random_lit_scenes.h"
 

@@ -13,7 +13,7 @@
 #include "x11/app/workbench.h"
 #include "x11/kit/file_question.h"
 #include "x11/kit/one_line.h"
-#include "x11/options/carried_setup.h"
+#include "x11/options/setup_command.h"
 
 namespace xnewell {
 

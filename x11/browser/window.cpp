@@ -14,7 +14,7 @@
 #include "x11/app/surface.h"
 #include "x11/app/viewer.h"
 #include "x11/app/work.h"
-#include "x11/options/address.h"
+#include "x11/options/shell_words.h"
 #include "x11/visual/x11_error.h"
 
 /// What the page does for the window (page.html).

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <iosfwd>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "depthsort/depth_sort.h"
 #include "shading/picture/picture.h"
@@ -67,5 +70,34 @@ void writeLesson(const Options& options, Lesson lesson, const std::function<void
 /// --worksheet: one HTML file to be printed, with the picture and the words of each step, its question with
 /// room to write, and all solutions on a page of their own at the end, or in the file of --solutions.
 void writeWorksheet(const Options& options, Lesson lesson, const std::function<void(int)>& tell);
+
+/// What a shell may put in place of the last of the words after `xnewell`, each with a tab and what it does.
+/// Commands, options and their words come from the rows of --help, and scenes and lessons from the data
+/// folder, so a new file is proposed at once. The files in x11/install ask with `xnewell complete -- WORDS`.
+[[nodiscard]] std::string proposalsFor(std::vector<std::string> words);
+
+/// `trace`: describes a run of the depth sort.
+
+/// The run of a picture with planes (Picture::withPlanes()), with its events: the textbook's, or with --quick
+/// the accelerated one.
+/// @throws std::runtime_error if the run has too many steps to record
+[[nodiscard]] SortedScene recordedRun(const Options& options, const Picture& picture);
+
+/// Writes one JSON object per line. The first, "event": "run", describes the run; the last, "summary", gives
+/// its counts. Between them stand, in the order of the run, the events take, test, move, cycle, impossible,
+/// vain, contact, cut and paint. Before a test that settles a pair stand the tests that were made earlier and
+/// failed; together they are one step. Lengths are in pixels, a larger z is nearer, and numbers have ten
+/// digits.
+/// @throws std::system_error if `out` accepts no more
+void printTrace(const Options& options, const Picture& picture, const SortedScene& sorted, std::ostream& out);
+
+/// The page of build.sh, which begins with this lesson or lecture. It also holds the files that were read for
+/// it, at their places relative to each other, but those of the data folder, which every page has.
+/// @throws std::runtime_error if the page is of another version
+[[nodiscard]] std::string pageThatBeginsWith(const Options& options, const std::set<std::string>& read,
+                                             std::string page);
+
+/// Writes this page. @throws std::runtime_error if build.sh has made none; as writeFile() does
+void writePage(const Options& options);
 
 }  // namespace xnewell

@@ -1,4 +1,4 @@
-#include "x11/command/complete.h"
+#include "x11/command/commands.h"
 
 #include <algorithm>
 #include <array>

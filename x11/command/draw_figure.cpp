@@ -14,7 +14,7 @@
 #include "shading/scene/settings.h"
 #include "x11/command/commands.h"
 #include "x11/command/report.h"
-#include "x11/options/carried_setup.h"
+#include "x11/options/setup_command.h"
 #include "x11/terminal/terminal.h"
 
 namespace xnewell {

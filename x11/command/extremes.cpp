@@ -92,21 +92,6 @@ int heightOf(double share) {
                                                        std::clamp(1 + std::log10(share) / 5, 0.0, 1.0)));
 }
 
-/// What is said about a way: what was found, and why, or what was done if nothing was.
-struct SaidOfWay {
-  std::string finding, why;
-  bool wrong;
-  [[nodiscard]] int height() const {
-    return Sheet::paragraphHeight(kChartWords, finding) + Sheet::paragraphHeight(kChartWords, why);
-  }
-};
-
-SaidOfWay saidOf(const Extreme& way, const ExtremeStep& setUp) {
-  const ExtremeStep* const wrong = firstWrong(way, setUp);
-  const ExtremeStep* const explained = firstToExplain(way, setUp);
-  return {findingOf(way, setUp), explained ? explained->why : std::string{way.drives}, wrong != nullptr};
-}
-
 /// The name of a way and its bars, from y down.
 void drawBars(Sheet& sheet, int y, const Extreme& way) {
   Painter paint = sheet.painter();
@@ -139,34 +124,34 @@ void drawBars(Sheet& sheet, int y, const Extreme& way) {
 /// it. A bar is as high as the share of samples that are wrong, on a logarithmic scale. It is amber where
 /// samples are only doubtful, and grey where no face shows.
 ColoredImage drawExtremes(const Extremes& extremes, const std::string& title) {
-  const int width = kChartWidth - 2 * Sheet::kMargin;
-  std::vector<std::pair<std::string, Cell>> above{
-      {"A bar is one picture. Its height is the share of wrong samples, or in amber of doubtful ones, from 1 "
-       "in "
-       "100,000 to all of them.",
-       Cell::Soft}};
-  for (const std::string& said : {stoppedText(extremes), findingOf(extremes.setUp)})
-    if (!said.empty()) above.emplace_back(said, Cell::Alarm);
-  std::vector<SaidOfWay> words;
-  for (const Extreme& way : extremes.ways) words.push_back(saidOf(way, extremes.setUp));
-
-  int height = 2 * Sheet::kMargin + Sheet::kTitle;
-  for (const auto& [text, cell] : above) height += Sheet::paragraphHeight(width, text);
-  for (const SaidOfWay& said : words) height += kWayGap + std::max(kBarHeight + 20, said.height());
+  constexpr int kMostHeight = 4000;
   const CellPlan plan{TableKind::Linear};
-  Sheet sheet{kChartWidth, height, plan};
+  Sheet sheet{kChartWidth, kMostHeight, plan};
   int y = sheet.title(Sheet::kMargin, Sheet::kMargin, title);
-  for (const auto& [text, cell] : above) y = sheet.paragraph(Sheet::kMargin, y, width, text, cell);
-  for (std::size_t k = 0; k < words.size(); ++k) {
+  const auto say = [&](const std::string& text, Cell cell) {
+    if (!text.empty()) y = sheet.paragraph(Sheet::kMargin, y, kChartWidth - 2 * Sheet::kMargin, text, cell);
+  };
+  say("A bar is one picture. Its height is the share of wrong samples, or in amber of doubtful ones, from 1 "
+      "in 100,000 to all of them.",
+      Cell::Soft);
+  say(stoppedText(extremes), Cell::Alarm);
+  say(findingOf(extremes.setUp), Cell::Alarm);
+  for (const Extreme& way : extremes.ways) {
     y += kWayGap;
-    drawBars(sheet, y, extremes.ways[k]);
+    drawBars(sheet, y, way);
     const int left = Sheet::kMargin + kChartNames + kChartBars + Sheet::kMargin;
-    const int below =
-        sheet.paragraph(left, y, kChartWords, words[k].finding, words[k].wrong ? Cell::Alarm : Cell::Ink);
-    sheet.paragraph(left, below, kChartWords, words[k].why, Cell::Soft);
-    y += std::max(kBarHeight + 20, words[k].height());
+    const bool wrong = firstWrong(way, extremes.setUp) != nullptr;
+    const ExtremeStep* const explained = firstToExplain(way, extremes.setUp);
+    int below = sheet.paragraph(left, y, kChartWords, findingOf(way, extremes.setUp),
+                                wrong ? Cell::Alarm : Cell::Ink);
+    below = sheet.paragraph(left, below, kChartWords, explained ? explained->why : std::string{way.drives},
+                            Cell::Soft);
+    y = std::max(y + kBarHeight + 20, below);
   }
-  return {sheet.image(), makePalette(plan, ColorTable{{}})};
+  IndexImage image = sheet.image();
+  image.height = y + Sheet::kMargin;
+  image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
+  return {std::move(image), makePalette(plan, ColorTable{{}})};
 }
 
 }  // namespace

@@ -28,6 +28,7 @@
 #include "x11/homework/reports.h"
 #include "x11/lessons/lesson.h"
 #include "x11/options/exit_status.h"
+#include "x11/options/options.h"
 #include "x11/options/shell_words.h"
 #include "x11/terminal/terminal.h"
 
@@ -211,11 +212,9 @@ class Markers {
     Scene scene = readyScene(own);
     refuseWhatIsNotDiagnosed(scene, own.picture);
     add(stage.words, own, std::move(scene));
-  } catch (const ParseError& e) {
-    throw ParseError{options_.rubric, stage.line, e.what()};
-  } catch (const UsageError& e) {
-    throw ParseError{options_.rubric, stage.line, e.what()};
-  } catch (const std::system_error& e) {
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& e) {
     throw ParseError{options_.rubric, stage.line, e.what()};
   }
   [[nodiscard]] Marker& of(const Stage& stage) { return markers_.at(stage.words); }

@@ -1,4 +1,4 @@
-#include "x11/command/trace.h"
+#include "x11/command/commands.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -10,7 +10,7 @@
 
 #include "depthsort/record/explain.h"
 #include "depthsort/record/replay.h"
-#include "x11/homework/run_file.h"
+#include "x11/homework/run_record.h"
 
 namespace xnewell {
 

@@ -1,4 +1,4 @@
-#include "x11/command/write_page.h"
+#include "x11/command/commands.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -13,7 +13,6 @@
 #include "geometry/files/output_file.h"
 #include "geometry/files/text_file.h"
 #include "x11/homework/html.h"
-#include "x11/options/address.h"
 #include "x11/options/shell_words.h"
 
 namespace xnewell {

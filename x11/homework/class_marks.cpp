@@ -46,6 +46,15 @@ RgbImage differenceOf(const RgbImage& yours, const RgbImage& right, const std::v
   return apart;
 }
 
+/// What is kept for a size; `make` makes it. Only a few sizes are kept.
+template <class Kept, class Make>
+Kept& keptFor(std::map<std::pair<int, int>, Kept>& kept, glm::ivec2 size, const Make& make) {
+  const std::pair key{size.x, size.y};
+  if (const auto at = kept.find(key); at != kept.end()) return at->second;
+  if (kept.size() >= kMostSizes) kept.clear();
+  return kept.emplace(key, make()).first->second;
+}
+
 }  // namespace
 
 Marker::Marker(Scene scene, PictureSettings settings, std::optional<glm::ivec2> size, bool pictures,
@@ -59,15 +68,13 @@ Marker::Marker(Scene scene, PictureSettings settings, std::optional<glm::ivec2> 
 void Marker::markPicture(MarkedFile& row, const std::string& path) {
   const HandedIn handed = readHandedIn(path);
   const glm::ivec2 size = size_.value_or(glm::ivec2{handed.picture.width, handed.picture.height});
-  if (diagnosers_.size() >= kMostSizes && !diagnosers_.contains({size.x, size.y})) diagnosers_.clear();
-  std::unique_ptr<Diagnoser>& diagnoser = diagnosers_[{size.x, size.y}];
-  if (!diagnoser) {
+  const std::unique_ptr<Diagnoser>& diagnoser = keptFor(diagnosers_, size, [&] {
     PictureSettings settings = settings_;
     settings.width = size.x, settings.height = size.y;
     if (const std::string why = whyNotDiagnosed(scene_, settings); !why.empty())
       throw std::invalid_argument{why};
-    diagnoser = std::make_unique<Diagnoser>(scene_, settings);
-  }
+    return std::make_unique<Diagnoser>(scene_, settings);
+  });
   const Diagnosis d = (*diagnoser)(handed);
   row.verdict = nameOf(d.verdict), row.words = verdictOf(d);
   std::set<std::string_view> terms;
@@ -86,10 +93,9 @@ void Marker::markPicture(MarkedFile& row, const std::string& path) {
 
 void Marker::showPictures(MarkedFile& row, const RgbImage& yours, Diagnoser& diagnoser) {
   const PictureSettings& settings = diagnoser.picture().settings();
-  const std::pair size{settings.width, settings.height};
-  if (right_.size() >= kMostSizes && !right_.contains(size)) right_.clear();
-  RgbImage& right = right_[size];
-  if (right.width == 0) right = diagnoser.pictureBy(diagnoser.approachWith(hypotheses().front()));
+  const RgbImage& right = keptFor(right_, {settings.width, settings.height}, [&] {
+    return diagnoser.pictureBy(diagnoser.approachWith(hypotheses().front()));
+  });
   row.pictures = {{"yours", smallPng(yours)}, {"right", smallPng(right)}};
   if (yours.width == right.width && yours.height == right.height)
     row.pictures.push_back(
@@ -97,15 +103,12 @@ void Marker::showPictures(MarkedFile& row, const RgbImage& yours, Diagnoser& dia
 }
 
 const Picture& Marker::planesAt(glm::ivec2 size) {
-  if (planes_.size() >= kMostSizes && !planes_.contains({size.x, size.y})) planes_.clear();
-  auto planes = planes_.find({size.x, size.y});
-  if (planes == planes_.end()) {
+  return keptFor(planes_, size, [&] {
     PictureSettings settings = settings_;
     settings.order = Order::Unsorted;
     settings.width = size.x, settings.height = size.y;
-    planes = planes_.emplace(std::pair{size.x, size.y}, makePicture(scene_, settings).withPlanes()).first;
-  }
-  return planes->second;
+    return makePicture(scene_, settings).withPlanes();
+  });
 }
 
 void Marker::markOrder(MarkedFile& row, const std::string& path) {

@@ -105,25 +105,9 @@ void addPixel(page::Section& s, const Diagnosis& d) {
 }  // namespace
 
 std::string_view nameOf(Marking verdict) {
-  switch (verdict) {
-    case Marking::Right:
-      return "right";
-    case Marking::Allowed:
-      return "allowed";
-    case Marking::Outlines:
-      return "outlines";
-    case Marking::Mistake:
-      return "mistake";
-    case Marking::OneOf:
-      return "one-of";
-    case Marking::Numbers:
-      return "numbers";
-    case Marking::Unknown:
-      return "unknown";
-    case Marking::OtherScene:
-      return "other-scene";
-  }
-  return "";
+  constexpr std::array<std::string_view, 8> kNames{"right",  "allowed", "outlines", "mistake",
+                                                   "one-of", "numbers", "unknown",  "other-scene"};
+  return kNames[static_cast<std::size_t>(verdict)];
 }
 
 std::string nameOf(const Fit& fit) {

@@ -83,7 +83,7 @@ struct LessonEntry {
 struct LectureEntry {
   std::string name, shows;
 };
-/// The lectures of the data folder (read_lecture.h), sorted by name. @throws ParseError, std::system_error
+/// The lectures of the data folder (readLecture()), sorted by name. @throws ParseError, std::system_error
 [[nodiscard]] std::vector<LectureEntry> builtInLectures();
 
 /// The scenes of a lesson. A scene that several steps show is read once.

@@ -1,28 +1,324 @@
 #include "x11/options/options.h"
+#include "x11/options/exit_status.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <set>
+#include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "geometry/files/text_file.h"
-#include "x11/options/carried_setup.h"
-#include "x11/options/exit_status.h"
-#include "x11/options/option_reader.h"
+#include "shading/scene/settings.h"
 #include "x11/options/option_rows.h"
-#include "x11/options/options_check.h"
 #include "x11/options/read_value.h"
+#include "x11/options/setup_command.h"
 #include "x11/options/shell_words.h"
 
 namespace xnewell {
 
 namespace {
+
+/// Makes the rows of the options. The code here reads their values, so that the error messages are in our
+/// words. Each function returns the new row, until the next one is made.
+class Reader {
+ public:
+  /// Adds a setting of the picture. Everything comes from its row. Its value joins `overrides`.
+  OptionRow& setting(const Setting& row, std::vector<Override>& overrides) {
+    const bool flag = row.field.kind == ValueKind::Flag;
+    std::string help{row.is};
+    if (!flag) help += "; " + expected(row);
+    if (!row.unit.empty()) help += ", in " + std::string{row.unit};
+    if (!row.more.empty()) help += ". " + std::string{row.more};
+    const std::string name{row.option};
+    std::string initially;
+    if (flag)
+      help += (help.ends_with('.') ? " " : ". ") + name + "=false ends what the scene asks for";
+    else
+      initially =
+          row.initially.empty() ? textOf(row, row.field.get(PictureSettings{})) : std::string{row.initially};
+    OptionRow& made = text(name, help, initially, [&](const std::string& given) {
+      overrides.push_back({&row, valueOf(row, given)});
+    });
+    if (flag) made.takes = Takes::Nothing;
+    return made.proposes(row.field.choices);
+  }
+  /// Adds the alias of a setting.
+  OptionRow& alias(const Setting& row, std::vector<Override>& overrides) {
+    return flag(std::string{row.alias},
+                "the same as " + std::string{row.option} + ' ' + std::string{row.means}, [&] {
+                  overrides.push_back({&row, valueOf(row, std::string{row.means})});
+                });
+  }
+  /// Adds a number in [low, high]. `initially` is its default in words, if it is not the number's own; `why`
+  /// ends the message that refuses another number.
+  template <class Number>
+  OptionRow& number(const std::string& name, Number& target, double low, double high, const std::string& help,
+                    std::string initially = "", const std::string& why = "") {
+    if (initially.empty()) initially = textOf(static_cast<double>(target));
+    return text(name, help, initially, [=, &target](const std::string& given) {
+      const bool whole = std::is_integral_v<Number>;
+      const std::string needed = std::string{whole ? "a whole number" : "a number"} + " from " + textOf(low) +
+                                 " to " + textOf(high) + why;
+      const double v = numbers(name, given, 1, needed)[0];
+      if (v < low || v > high || (whole && v != std::floor(v))) refuse(name, given, needed);
+      target = static_cast<Number>(v);
+    });
+  }
+  /// Adds a choice of one row of a table, by its name.
+  template <class Rows, class Id>
+  OptionRow& choice(const std::string& name, const Rows& rows, Id& target, const std::string& help) {
+    std::string all, initially;
+    for (const auto& row : rows) {
+      all += (all.empty() ? "" : ", ") + std::string{row.name};
+      if (row.id == target) initially = row.name;
+    }
+    return text(name, help + ": " + all, initially,
+                [=, &rows, &target](const std::string& given) {
+                  const auto row = std::ranges::find(rows, given, [](const auto& r) { return r.name; });
+                  if (row == rows.end()) refuse(name, given, "one of " + all);
+                  target = row->id;
+                })
+        .proposes(rows);
+  }
+  /// Adds the name of a `what`, such as a file. The name must not be empty.
+  OptionRow& named(const std::string& name, std::string& target, const std::string& what,
+                   const std::string& help) {
+    OptionRow& row = text(name, help, "", [=, &target](const std::string& given) {
+      if (given.empty()) throw UsageError{name + ": the " + what + "'s name is empty"};
+      target = given;
+    });
+    if (what == "file") row.takes = Takes::File;
+    if (what == "folder") row.takes = Takes::Folder;
+    return row;
+  }
+  OptionRow& text(const std::string& name, const std::string& help, const std::string& initially,
+                  std::function<void(const std::string&)> take) {
+    return rows_.emplace_back(OptionRow{.name = name,
+                                        .letter = {},
+                                        .does = help + (initially.empty() ? "" : " [" + initially + "]"),
+                                        .takes = Takes::Text,
+                                        .take = std::move(take)});
+  }
+  OptionRow& flag(const std::string& name, const std::string& help, std::function<void()> set) {
+    OptionRow& row = text(name, help, "", [name, set = std::move(set)](const std::string& given) {
+      if (given != "true") throw UsageError{name + " takes no value"};
+      set();
+    });
+    row.takes = Takes::Nothing;
+    return row;
+  }
+  OptionRow& flag(const std::string& name, bool& target, const std::string& help) {
+    return flag(name, help, [&target] { target = true; });
+  }
+  /// The rows, in the order of --help.
+  [[nodiscard]] std::vector<OptionRow> rows() && { return std::move(rows_); }
+
+ private:
+  std::vector<OptionRow> rows_;
+};
+
+/// The keys of settings, or "" for the word none.
+std::string parseControls(const std::string& text) {
+  if (text == "none") return "";
+  if (text.empty()) refuse("--controls", text, "the keys of settings in view 1, such as Ssn, or none");
+  for (const char key : text)
+    if (settingOf(key) == nullptr)
+      refuse("--controls", text, "the keys of settings in view 1, such as Ssn, or none");
+  return text;
+}
+
+/// The names of all views of draw, snapshot and the window, each once.
+std::string viewNames() {
+  std::string all;
+  for (const ViewRow& row : kViews)
+    if (row.hasSheet()) all += (all.empty() ? "" : ", ") + std::string{row.name};
+  all += "; in a window";
+  for (const ViewRow& row : kWindowViews)
+    if (!row.hasSheet()) all += (all.ends_with("window") ? " " : ", ") + std::string{row.name};
+  return all;
+}
+
+/// Returns false if no view has that name. checkView() checks later whether the command has this view.
+bool takeView(Options& o, const std::string& name) {
+  const auto* const view = std::ranges::find(kViews, name, &ViewRow::name);
+  if (view == kViews.end()) return false;
+  o.view = view->id;
+  o.window.view = view->key ? view->id : View::Picture;
+  o.show = view->key ? View::Picture : view->id;
+  return true;
+}
+
+/// A row, or a polygon. checkPlaces() knows which of them the command has.
+void takeScanline(Options& o, const std::string& text) {
+  const std::size_t point = text.find('.');
+  const auto isNumber = [](const std::string& s) {
+    return !s.empty() && s.size() < 10 && std::ranges::all_of(s, [](char c) { return c >= '0' && c <= '9'; });
+  };
+  if (!isNumber(text.substr(0, point)) || (point != std::string::npos && !isNumber(text.substr(point + 1))))
+    refuse("--scanline", text, "a row or a face, such as 59, or a part of a face, such as 59.2");
+  o.window.polygon = text;
+  if (const int row = std::stoi(text); point == std::string::npos && row < kMaxPicture)
+    o.window.scanline = row;
+}
+
+/// What is shown, and where a window begins.
+void addView(Reader& r, Options& o) {
+  r.text("--view", "what to show: " + viewNames(), std::string{rowOf(o.view).name},
+         [&](const std::string& s) {
+           if (!takeView(o, s)) refuse("--view", s, viewNames());
+         })
+      .proposes(kViews)
+      .only({"view", "draw", "snapshot"});
+  r.number("--step", o.window.step, 0, 1'000'000'000,
+           "the step of the depth sort, or the stage of --view viewing, that the window begins with; lesson: "
+           "the lesson's step, from 1")
+      .only({"--view depthsort", "--view viewing", "--view scanline", "lesson"});
+  r.text("--pixel", "the pixel X,Y that the window begins with, in the picture of that view", "its middle",
+         [&](const std::string& s) { o.window.pixel = pixelOf("--pixel", s); })
+      .only({"--view pixel"});
+  r.text("--viewing",
+         "explain: what the viewing transformation does to a vertex, FACE.CORNER with corners from 1, or "
+         "the number of a vertex, such as 495.1 or 1234; --view viewing begins with it",
+         "in the middle of the picture",
+         [&](const std::string& s) {
+           const bool digits = s.find_first_not_of("0123456789.") == s.npos;
+           const bool isOne = s.find('.') == s.rfind('.') && !s.starts_with('.') && !s.ends_with('.');
+           if (!digits || !isOne || s.size() > 20)
+             refuse("--viewing", s, "FACE.CORNER or the number of a vertex, such as 495.1 or 1234");
+           o.window.vertex = s;
+         })
+      .only({"explain", "--view viewing"})
+      .mayLack = true;
+  r.text(
+       "--controls",
+       "the few controls that stand beside a larger picture in view 1, by their keys, such as Ssn; none puts "
+       "those of view 1 or 2 away. All keys work all the time",
+       "all controls", [&](const std::string& s) { o.window.controls = parseControls(s); })
+      .only({"view", "--whole-window"});
+  r.text(
+       "--scanline",
+       "the row of the picture that --view machbands follows, from 0 at its top; --view scanline and "
+       "trace: the "
+       "polygon that is filled, by its face number, such as 59, or with .2 for the face's second convex part",
+       "the middle row, or the row that shows most if nothing shows there; a polygon of about 200 samples",
+       [&](const std::string& s) { takeScanline(o, s); })
+      .only({"--view machbands", "--view scanline", "trace"});
+  r.text("--beside",
+         "the settings of B that differ from those of A, such as \"order=none shade=phong\"; same: none of "
+         "them",
+         "z-sort beside an exact order, Newell's beside any other",
+         [&](const std::string& s) { o.window.beside = besideOf(s); })
+      .only({"--view sidebyside"});
+  r.choice("--difference", kUnlikes, o.window.difference, "what --view sidebyside compares")
+      .only({"--view sidebyside"});
+}
+
+struct ObliqueRow {
+  std::string_view name;
+  double length;
+};
+constexpr std::array kObliques{ObliqueRow{"cavalier", 1.0}, ObliqueRow{"cabinet", 0.5}};
+
+Oblique parseOblique(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const auto* const row = std::ranges::find(kObliques, text.substr(0, colon), &ObliqueRow::name);
+  if (row == kObliques.end()) refuse("--oblique", text, "cavalier or cabinet, optionally followed by :ANGLE");
+  Oblique oblique{.length = row->length};
+  if (colon != std::string::npos)
+    oblique.angle = numbers("--oblique", text.substr(colon + 1), 1, "an angle in degrees")[0];
+  return oblique;
+}
+
+/// The options of the camera.
+void addCamera(Reader& r, CameraSettings& camera) {
+  const auto point = [&](const char* name, std::optional<glm::dvec3>& target, const char* help,
+                         const char* initially) {
+    r.text(name, help, initially, [name, &target](const std::string& text) {
+      const auto v = numbers(name, text, 3, "three finite numbers x,y,z");
+      target = glm::dvec3{v[0], v[1], v[2]};
+    });
+  };
+  point("--eye", camera.eye, "where the eye is, x,y,z in the world", "where the whole scene fits");
+  point("--look-at", camera.lookAt, "the point that the eye looks at", "the scene's centre");
+  point("--up", camera.up, "the up direction", "z for .bpt, y for .obj, .ply and .off");
+  r.text("--fov", "perspective with this vertical field of view, degrees", "30",
+         [&](const std::string& text) {
+           camera.fov = numbers("--fov", text, 1, "an angle between 0 and 180 degrees")[0];
+           if (!(*camera.fov > 0 && *camera.fov < 180))
+             refuse("--fov", text, "an angle between 0 and 180 degrees");
+         });
+  r.text("--parallel", "parallel projection; the picture's height in world units", "",
+         [&](const std::string& text) {
+           camera.height = numbers("--parallel", text, 1, "a height above 0")[0];
+           if (!(*camera.height > 0)) refuse("--parallel", text, "a height above 0");
+           camera.parallel = true;
+         });
+  r.text("--oblique", "oblique projection: cavalier or cabinet, optionally followed by :ANGLE", "angle 45",
+         [&](const std::string& text) { camera.oblique = parseOblique(text); })
+      .proposes(kObliques);
+  point("--vrp", camera.vrp, "the textbook's view reference point", "the look-at point");
+  point("--vpn", camera.vpn, "view plane normal", "from the reference point to the eye");
+  point("--vup", camera.vup, "view up vector", "up");
+  point("--prp", camera.prp, "projection reference point, in viewing coordinates", "the eye");
+  r.text("--view-window",
+         "window umin,umax,vmin,vmax on the view plane; it overrides the height of --parallel", "",
+         [&](const std::string& text) {
+           const auto v = numbers("--view-window", text, 4, "four finite numbers umin,umax,vmin,vmax");
+           camera.window = {v[0], v[1], v[2], v[3]};
+         });
+  const auto plane = [&](const char* name, const char* help, const char* initially,
+                         std::optional<double>& n) {
+    r.text(name, help, initially,
+           [name, &n](const std::string& text) { n = numbers(name, text, 1, "a finite number")[0]; });
+  };
+  plane("--front", "n of the front clipping plane", "just before the eye", camera.front);
+  plane("--back", "n of the back clipping plane", "behind the scene", camera.back);
+}
+
+/// The effects on the stored colours, after the indices are picked.
+void addEffects(Reader& r, Options& o) {
+  const auto cell = [](const std::string& option, const std::string& text) {
+    const std::string expected = "a cell, a whole number from 0 to 255";
+    const double v = numbers(option, text, 1, expected)[0];
+    if (v < 0 || v > 255 || v != std::floor(v)) refuse(option, text, expected);
+    return static_cast<int>(v);
+  };
+  r.text("--cell", "the cell that --view colours inspects", "the middle one of the cells that polygons use",
+         [&o, cell](const std::string& s) { o.window.cell = cell("--cell", s); })
+      .only({"--view colours"});
+  const auto drawn = {std::string_view{"draw"}, std::string_view{"snapshot"}};
+  r.choice("--store", kTables, o.effects.stored,
+           "keep the indices that --table picks, but store the colours of this table")
+      .only(drawn);
+  r.number("--turn", o.effects.hueTurn, -360, 360, "turn the hue of all stored colours by degrees")
+      .only(drawn);
+  r.number("--gamma", o.effects.gamma, kLeastGamma, kMostGamma,
+           "store v^(1/gamma) for v, for a screen that shows v^gamma")
+      .only(drawn);
+  r.text("--bend", "CELL,VALUE: bend the curve of stored values so that this cell holds VALUE of 255", "",
+         [&o, cell](const std::string& s) {
+           const std::string expected = "CELL,VALUE with a value from 0 to 255";
+           const auto v = numbers("--bend", s, 2, expected);
+           if (v[1] < 0 || v[1] > 255) refuse("--bend", s, expected);
+           o.effects.bend = CurvePoint{cell("--bend", s.substr(0, s.find(','))), v[1]};
+         })
+      .only(drawn);
+  r.number("--rotate", o.effects.rotate, -255, 255, "move the stored colours up the ramp by this many cells")
+      .only(drawn);
+  r.text("--lit", "store yellow in this cell, to show which polygons have this shade", "",
+         [&o, cell](const std::string& s) { o.effects.lit = cell("--lit", s); })
+      .only(drawn);
+}
 
 glm::ivec2 parseSize(const std::string& text) {
   const std::string expected = "a size WxH from 1x1 to 8192x8192";
@@ -63,16 +359,6 @@ Command takeCommand(std::vector<std::string>& arguments) {
   arguments.erase(arguments.begin());
   return row->id;
 }
-
-}  // namespace
-
-std::vector<std::string> commandsAndScenes() {
-  std::vector<std::string> names = namesOf(builtInScenes());
-  for (const CommandRow& row : kCommands) names.emplace_back(row.name);
-  return names;
-}
-
-namespace {
 
 /// Says in our words what CLI11 found wrong. Only the `last` argument can lack a value: another one takes
 /// what follows it.
@@ -388,6 +674,17 @@ void blaming(const std::string& carrier, const auto& act) try { act(); } catch (
 }
 
 }  // namespace
+
+std::vector<std::string> commandsAndScenes() {
+  std::vector<std::string> names = namesOf(builtInScenes());
+  for (const CommandRow& row : kCommands) names.emplace_back(row.name);
+  return names;
+}
+
+std::string textOf(const Oblique& oblique) {
+  const auto* const row = std::ranges::find(kObliques, oblique.length, &ObliqueRow::length);
+  return std::string{row->name} + ':' + textOf(oblique.angle);
+}
 
 std::vector<OptionRow> optionRows() {
   Options options;

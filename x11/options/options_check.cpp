@@ -1,4 +1,4 @@
-#include "x11/options/options_check.h"
+#include "x11/options/option_rows.h"
 
 #include <algorithm>
 #include <array>

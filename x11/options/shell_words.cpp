@@ -1,11 +1,14 @@
 #include "x11/options/shell_words.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
+#include <optional>
 #include <utility>
 
 #include "geometry/files/visible.h"
+#include "x11/options/options.h"
 
 namespace xnewell {
 
@@ -62,6 +65,80 @@ std::optional<std::vector<std::string>> wordsOf(std::string_view command) {
   }
   if (quoting != Quoting::No) return std::nullopt;
   return words;
+}
+
+namespace {
+
+bool isCommand(const std::string& word) {
+  return std::ranges::find(kCommands, word, &CommandRow::name) != kCommands.end();
+}
+
+std::string decoded(std::string_view text) {
+  std::string word;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    unsigned char byte = 0;
+    const char* const digits = text.data() + k + 1;
+    const bool escaped = text[k] == '%' && k + 2 < text.size() &&
+                         std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2;
+    word += escaped ? static_cast<char>(byte) : text[k];
+    if (escaped) k += 2;
+  }
+  return word;
+}
+
+std::string encoded(std::string_view word) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF", kPlain = "-_.,:/+";
+  std::string text;
+  for (const unsigned char c : word)
+    if (std::isalnum(c) != 0 || kPlain.find(static_cast<char>(c)) != kPlain.npos)
+      text += static_cast<char>(c);
+    else
+      text += {'%', kDigits[c / 16], kDigits[c % 16]};
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> argumentsOf(std::string_view address) {
+  std::vector<std::string> arguments;
+  bool named = false;  // the scene or the lesson
+  while (!address.empty()) {
+    const std::string_view part = address.substr(0, address.find('&'));
+    address.remove_prefix(std::min(address.size(), part.size() + 1));
+    if (part.empty()) continue;
+    const std::string word = decoded(part);
+    const bool command = arguments.empty() && isCommand(word);
+    const bool option = named || part.find('=') != part.npos;
+    named = named || !command;
+    arguments.push_back(option ? "--" + word : word);
+  }
+  return arguments;
+}
+
+std::string addressOf(std::string_view command) {
+  constexpr std::array<std::string_view, 4> kOfThePicture{"-o", "--size", "--scale", "--whole-window"};
+  const std::optional<std::vector<std::string>> words = wordsOf(command);
+  if (!words || words->size() < 2) return "";
+  const bool atPixel =
+      std::ranges::find(*words, "--pixel") != words->end();  // it is one of a window of that size
+  std::string address;
+  for (std::size_t k = 1; k < words->size(); ++k) {
+    const std::string& word = (*words)[k];
+    const bool option = word.starts_with('-'), command1 = k == 1 && isCommand(word);
+    const bool takes = option && word.find('=') == word.npos && k + 1 < words->size() &&
+                       !(*words)[k + 1].starts_with("--") && (*words)[k + 1] != "-o";
+    const bool left = std::ranges::find(kOfThePicture, word) != kOfThePicture.end() &&
+                      !(atPixel && (word == "--size" || word == "--scale"));
+    if (!left && !(command1 && word != "lesson" && word != "lecture")) {
+      address += address.empty() ? "" : "&";
+      const std::size_t equals = std::min(option ? word.find('=') : word.npos, word.size());
+      address += encoded(word.substr(option ? 2 : 0, equals - (option ? 2 : 0)));
+      if (equals < word.size()) address += '=' + encoded(word.substr(equals + 1));
+      if (takes) address += '=' + encoded((*words)[k + 1]);
+    }
+    if (takes) ++k;
+  }
+  return address;
 }
 
 }  // namespace xnewell

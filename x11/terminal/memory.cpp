@@ -1,4 +1,4 @@
-#include "x11/terminal/memory.h"
+#include "x11/terminal/terminal.h"
 
 #include <malloc.h>
 #include <sys/mman.h>

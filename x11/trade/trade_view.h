@@ -12,7 +12,6 @@
 #include "shading/color/index_image.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/stopwatch.h"
-#include "shading/trade/choice.h"
 #include "shading/trade/trade.h"
 #include "x11/kit/control.h"
 #include "x11/kit/page.h"

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "shading/trade/choice.h"
+#include "shading/trade/trade.h"
 #include "x11/drawing/labels.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"

@@ -412,19 +412,6 @@ TEST(Extremes, AFindingLeavesOutTheSetUpsFaults) {
   EXPECT_EQ(firstWrong(own, right)->why, "at 0");
 }
 
-// The file of `two-cards` asks for the order that it refutes: painting by farthest z.
-TEST(Extremes, TwoCardsAreWrongAsTheyAre) {
-  const Scene scene = readScene("two-cards");
-  PictureSettings settings = scene.settings;
-  settings.width = 60, settings.height = 45;
-  const Extremes extremes = extremesOf(scene, settings);
-  EXPECT_GT(extremes.setUp.seen.wrong, 40);
-  EXPECT_TRUE(findingOf(extremes.setUp).starts_with("The set-up itself is wrong: a face that is not the"));
-  const Extreme& powers = extremes.ways.front();
-  EXPECT_EQ(findingOf(powers, extremes.setUp), "wrong as the set-up itself, at all values");
-  EXPECT_EQ(firstWrong(powers, extremes.setUp), nullptr);
-}
-
 // Stopped at any picture, the ways that were finished are as they would have been.
 TEST(Extremes, AStopKeepsTheFinishedWays) {
   const Scene scene = cards({1, 0});
@@ -447,6 +434,60 @@ TEST(Extremes, AStopKeepsTheFinishedWays) {
       EXPECT_EQ(stoppedText(stopped), "Stopped: " + std::to_string(finished) + " of 13 ways were finished.");
     }
     pictures += steps;
+  }
+}
+
+// The number of threads changes nothing.
+TEST(Extremes, AreTheSameOnAnyNumberOfThreads) {
+  const Scene scene = readScene("cycle");
+  PictureSettings settings = scene.settings;
+  settings.width = 16, settings.height = 12;
+  const Extremes one = extremesOf(scene, settings, {}, 1);
+  for (const int threads : {2, 4, 7}) {
+    SCOPED_TRACE(threads);
+    const Extremes many = extremesOf(scene, settings, {}, threads);
+    ASSERT_EQ(many.ways.size(), one.ways.size());
+    for (std::size_t k = 0; k < one.ways.size(); ++k) {
+      SCOPED_TRACE(one.ways[k].name);
+      EXPECT_EQ(findingOf(many.ways[k], many.setUp), findingOf(one.ways[k], one.setUp));
+      ASSERT_EQ(many.ways[k].steps.size(), one.ways[k].steps.size());
+      for (std::size_t s = 0; s < one.ways[k].steps.size(); ++s) {
+        EXPECT_EQ(many.ways[k].steps[s].value, one.ways[k].steps[s].value);
+        EXPECT_EQ(many.ways[k].steps[s].seen.samples, one.ways[k].steps[s].seen.samples);
+        EXPECT_EQ(many.ways[k].steps[s].changed, one.ways[k].steps[s].changed);
+      }
+    }
+  }
+}
+
+// The eye may be nearer to the scene than the root of the smallest double. A copy in front still has numbers
+// for coordinates, and lies nearer by what the way says.
+TEST(Extremes, ACopyInFrontHasNumbers) {
+  Mesh mesh;
+  mesh.groupNames = {"card"};
+  mesh.points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  mesh.addFace(std::vector<int>{0, 1, 2, 3}, 0);
+  const Scene scene = makeScene("card", std::move(mesh), UpAxis::Y);
+  PictureSettings settings;
+  settings.width = 4, settings.height = 3;
+  for (const double away : {1.0, 1e-100, 1e-170, 1e-300}) {
+    SCOPED_TRACE(away);
+    Camera camera;
+    camera.eye = {0, 0, away}, camera.lookAt = {0, 0, 0}, camera.up = {0, 1, 0};
+    const Start start{.scene = scene,
+                      .settings = settings,
+                      .camera = camera,
+                      .size = 2,
+                      .pixel = 1,
+                      .target = {0, 0, 0},
+                      .facing = {0, 0, 1}};
+    const Way& way = *std::ranges::find(extremeWays(), "a copy in front at", &Way::name);
+    const Case copied = way.at(start, 0.25);
+    ASSERT_EQ(copied.scene.mesh.points.size(), 8u);
+    for (int k = 0; k < 4; ++k) {
+      const glm::dvec3 apart = copied.scene.mesh.points[k + 4] - copied.scene.mesh.points[k];
+      EXPECT_EQ(apart, (glm::dvec3{0, 0, 0.5}));
+    }
   }
 }
 

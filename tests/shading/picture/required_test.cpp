@@ -10,7 +10,7 @@
 #include "shading/fill/intensities.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene_file.h"
-#include "shading/trade/item_costs.h"
+#include "shading/trade/measure.h"
 
 namespace xnewell::THIS_FILE {
 

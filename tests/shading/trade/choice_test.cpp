@@ -1,4 +1,4 @@
-#include "shading/trade/choice.h"
+#include "shading/trade/trade.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,6 @@
 
 #include "shading/laboratory/exactness.h"
 #include "shading/picture/picture_cache.h"
-#include "shading/trade/choice.h"
 #include "shading/trade/measure.h"
 #include "tests/support/seeds.h"
 #include "tests/support/small_picture.h"

@@ -1,4 +1,3 @@
-#include "x11/options/address.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +9,7 @@
 #include "geometry/files/output_file.h"
 #include "geometry/files/text_file.h"
 #include "tests/support/temporary_folder.h"
-#include "x11/command/write_page.h"
+#include "x11/command/commands.h"
 #include "x11/options/options.h"
 #include "x11/options/shell_words.h"
 

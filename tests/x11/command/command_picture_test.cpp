@@ -173,22 +173,6 @@ TEST_F(DrawnPicture, IdsHave24Bits) {
     for (int i = 0; i < 300; ++i) ASSERT_EQ(idAt(drawn.ids, i, j), 300 * j + i + 1) << i << ", " << j;
 }
 
-// Scaling a scene by a power of two changes no pixel: the default camera moves with it.
-TEST_F(DrawnPicture, DoesNotKnowTheUnitOfTheFile) {
-  const std::vector<Mesh> scenes{torus(12, 7), triangleSoup(40, 0.8, 3),
-                                 parseObj(objOf(sheets(9, 15)), "", "")};
-  for (const Mesh& mesh : scenes) {
-    const Drawn plain = draw(write("s.obj", scaledObj(mesh, 0)));
-    EXPECT_GT(covered(plain.ids), 100);
-    for (const int k : {-900, -333, -1, 1, 52, 900}) {
-      SCOPED_TRACE(k);
-      const Drawn scaled = draw(write("s.obj", scaledObj(mesh, k)));
-      EXPECT_EQ(scaled.png, plain.png);
-      EXPECT_EQ(scaled.ids.rgb, plain.ids.rgb);
-    }
-  }
-}
-
 // Options of light and table change the picture but not the face image: they only colour the same faces
 // differently.
 TEST_F(DrawnPicture, LightAndTableRecolour) {

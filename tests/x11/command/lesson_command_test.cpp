@@ -93,8 +93,4 @@ TEST_F(LessonCommand, AWorksheetAsksAndSolves) {
   }
 }
 
-TEST_F(LessonCommand, AnInterruptLeavesWholeFrames) {
-  interruptsLeaveWholeFrames({"lesson", "specular", "--size", "2000x1500"}, 2000);
-}
-
 }  // namespace xnewell::THIS_FILE

@@ -1,4 +1,4 @@
-#include "x11/command/trace.h"
+#include "x11/command/commands.h"
 
 #include <gtest/gtest.h>
 

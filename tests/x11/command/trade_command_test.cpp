@@ -112,17 +112,4 @@ TEST_F(CommandTest, AccuracyChoosesAndSaysWhy) {
   EXPECT_EQ(phong.at("faces"), 32 * 4);
 }
 
-// The second limit is for samples that show a wrong face.
-TEST_F(CommandTest, AccuracyKeepsASecondLimit) {
-  for (const auto& [limit, most] : {std::pair{"0.3", 1'000'000}, {"0.3,0", 0}}) {
-    const auto chosen = runProgram({"draw", "nested-cycles", "--size", "120x90", "--accuracy", limit,
-                                    "--errors", "-o", file("chosen.png")});
-    ASSERT_EQ(chosen.status, 0) << chosen.err;
-    const auto stats = nlohmann::json::parse(chosen.out);
-    const int wrong = stats.at("errors").at("wrong_faces");
-    EXPECT_LE(wrong, most);
-    EXPECT_EQ(wrong > 0, most > 0);
-  }
-}
-
 }  // namespace xnewell::THIS_FILE

@@ -9,7 +9,7 @@
 #include "tests/support/student_sort.h"
 #include "tests/support/student_world.h"
 #include "tests/support/temporary_folder.h"
-#include "x11/command/trace.h"
+#include "x11/command/commands.h"
 
 namespace xnewell::THIS_FILE {
 

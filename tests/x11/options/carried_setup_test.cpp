@@ -1,4 +1,4 @@
-#include "x11/options/carried_setup.h"
+#include "x11/options/setup_command.h"
 
 #include <gtest/gtest.h>
 

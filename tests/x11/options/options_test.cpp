@@ -107,25 +107,6 @@ TEST(Options, SetOneSettingEach) {
   only({"--back", "-2"}, [](auto& s) { s.camera.back = -2; });
 }
 
-// Over the settings of a scene, each option sets its own and leaves the others.
-TEST(Options, SetOverWhatASceneAsksFor) {
-  PictureSettings scene;
-  scene.shading = Shading::Phong;
-  scene.light.ks = 0.75;
-  scene.table.shades = 64;
-  scene.dither = true;
-  const auto over = [&](std::vector<std::string> words) {
-    words.insert(words.begin(), {"draw", "teapot", "-o", "no.png"});
-    return parsed(words, scene).picture;
-  };
-  EXPECT_EQ(over({}), scene);
-  scene.light.kd = 0.5;
-  EXPECT_EQ(over({"--kd", "0.5"}), scene);
-  PictureSettings flat = scene;
-  flat.shading = Shading::Flat;
-  EXPECT_EQ(over({"--shade", "flat"}), flat);  // also if that is the program's default
-}
-
 // A flag ends what a scene asks for with =false. Nothing but true and false is taken.
 TEST(Options, FlagsMayBeFalse) {
   PictureSettings scene;

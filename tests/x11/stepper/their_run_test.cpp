@@ -10,7 +10,7 @@
 #include "tests/support/student_world.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/stepper.h"
-#include "x11/command/trace.h"
+#include "x11/command/commands.h"
 #include "x11/drawing/wording.h"
 #include "x11/stepper/sort_wording.h"
 

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "geometry/files/text_file.h"
-#include "shading/trade/choice.h"
+#include "shading/trade/trade.h"
 #include "tests/support/seeds.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/staged_view.h"
