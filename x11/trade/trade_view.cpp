@@ -374,7 +374,11 @@ page::Page TradeView::page(const DrawContext& context) {
   if (!byLimit) return page;
   page::Section& why = page.sections.emplace_back(page::Section{.title = "why this one"});
   // The rows above say what the first two sentences say.
-  for (std::size_t k = 2; k < within_.why.size(); ++k) why.say(within_.why[k], 3);
+  for (std::size_t k = 2; k < within_.why.size(); ++k) {
+    std::string words = within_.why[k];
+    for (std::size_t at = 0; (at = words.find("--")) != words.npos;) words.erase(at, 2);  // no command line
+    why.say(std::move(words), 3);
+  }
   return page;
 }
 

@@ -66,19 +66,6 @@ TEST(Options, ComplaintsAreShort) {
     EXPECT_LT(complaint({option, longest}).size(), 300u) << option;
 }
 
-// The server fills polygons, so it needs an order of polygons.
-TEST(Options, TheServerFillsNoSamples) {
-  for (const OrderRow& row : kOrders) {
-    const std::string name{row.name};
-    const bool bySample = name == "oracle" || name.starts_with("zbuffer");
-    EXPECT_EQ(complaintAll(
-                  {"snapshot", "teapot", "-o", "a.png", "--fill", "x11", "--shade", "flat", "--order", name}),
-              bySample ? "--order " + name +
-                             " decides each sample by itself: there is no polygon for --fill x11 to fill"
-                       : "");
-  }
-}
-
 // A view refuses options that do not apply to it, and a size too small for its words.
 TEST(Options, RefuseWhatAViewCannotHeed) {
   for (const ViewRow& row : kViews) {
