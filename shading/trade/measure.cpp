@@ -53,7 +53,6 @@ std::int64_t heapBytes() {
 /// The picture, painted, with a camera that stays when the polygons change.
 Picture held(const Picture& picture, std::uint8_t ground) {
   PictureSettings settings = picture.settings();
-  settings.lights.reset();  // the scene has them
   settings.camera = heldCamera(picture);
   return PictureCache{picture}.make(settings, ground);
 }
