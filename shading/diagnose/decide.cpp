@@ -26,8 +26,7 @@ constexpr int kFewFaces = 2;
 constexpr int kFewOfFace = 2;  ///< samples, more of which tell against a row
 /// Shades: a sample counts as no farther off than the first; the mean of what tells, as the noise and so
 /// much.
-constexpr double kMostOff = 10, kMostNoise = 0.3, kOff = 0.2, kOffOfOne = 1.5;
-constexpr double kTwoInformative = 0.95;
+constexpr double kMostOff = 10, kMostNoise = 0.3, kOff = 0.15, kOffOfOne = 1;
 constexpr int kPlacesForTwo = 3;  ///< pairs of values that must tell before two mistakes are named
 /// The faces, or values of smooth ones, that must tell a number; a third of those that are not right will do.
 constexpr int kFacesForNumber = 3;
@@ -185,9 +184,9 @@ std::optional<Fit> Diagnoser::promising(const std::vector<Predicted>& few, const
 /// several hues each has few shades.
 bool Diagnoser::isContradicted(const Fit& fit) const {
   if (model_.colors || approachOf(fit).paint != PaintWay::Nearest) return false;
-  const double usual = mistakesIn(fit) > 1 ? kOff / 2 : kOff;
-  return fit.against > 0 ||
-         fit.off > usual + std::min(fit.noise, kMostNoise) + kOffOfOne / std::sqrt(std::max(1, fit.telling));
+  const double most = (mistakesIn(fit) > 1 ? kOff / 2 : kOff) + std::min(fit.noise, kMostNoise) +
+                      kOffOfOne / std::sqrt(std::max(1, fit.telling));
+  return fit.against > 0 || (!tellsExactly() && (fit.noise > 2 * kMostNoise || fit.off > most));
 }
 
 /// True if a row or a number explains what it must.
@@ -339,8 +338,7 @@ bool Diagnoser::decideByTwo(Diagnosis& d, double best, bool twoMistakes) {
     if (pair.cost > least + kClass) break;
     Fit whole = fit(predicted(approachWith(*pair.first, pair.second)));
     whole.first = pair.first, whole.second = pair.second;
-    if (whole.explained < kExplainsRight || whole.informative < (tellsExactly() ? kExact : kTwoInformative))
-      continue;
+    if (whole.explained < kExplainsRight || whole.informative < kExact) continue;
     if (twoMistakes && whole.places < kPlacesForTwo) continue;
     if (mistakesIn(whole) > 0 && isContradicted(whole)) continue;
     std::set<std::string_view> wrong;

@@ -16,8 +16,8 @@ namespace xnewell {
 
 namespace {
 
-constexpr double kExplainsStrange = 0.8, kExplainsStrangeSmooth = 0.9;
-constexpr std::size_t kFewest = 50;  ///< samples, without which nothing can be said
+constexpr double kExplainsStrange = 0.8, kOffStrange = 0.8;  ///< a share; shades, where they are smooth
+constexpr std::size_t kFewest = 50;                          ///< samples, without which nothing can be said
 
 /// The settings of the picture that the faces come from: exact, not painted.
 PictureSettings exactly(PictureSettings settings) {
@@ -374,7 +374,7 @@ void Diagnoser::countOthers(const HandedIn& handed, Diagnosis& d) {
       told += off <= tolerance(), fit.off += std::min(off, 10.0) / static_cast<double>(all.size());
     }
     fit.informative = static_cast<double>(told) / static_cast<double>(all.size());
-    if (fit.informative < (tellsExactly() ? kExplainsStrange : kExplainsStrangeSmooth)) continue;
+    if (tellsExactly() ? fit.informative < kExplainsStrange : fit.off > kOffStrange) continue;
     // What explains the few must not be worse for the others.
     const double cost = with ? this->fit(predicted(approachWith(*one.first, with))).cost : one.cost;
     if (cost <= found.cost + kClass &&

@@ -229,7 +229,7 @@ void OtherProgram::onRamp(ShownHere& shown, const std::array<double, 3>& I, cons
 ShownHere OtherProgram::at(int face, int i, int j) {
   const SnappedFace& f = model_.snapped().faces[face];
   const int material = model_.mesh().material[f.number];
-  const bool textured = material >= 0 && model_.mesh().materials[material].texture >= 0;
+  const Texture* const textured = textureOf(f.number);
   const bool clamps = !way_.clampsLate && !way_.cellWraps && way_.sum < SumWay::Tone && !textured;
   ShownHere shown;
   LitPlace place;
@@ -246,12 +246,8 @@ ShownHere OtherProgram::at(int face, int i, int j) {
   if (way_.method == Shading::Depth) place.rest.fill(model_.byDepth[face]);
   std::array<double, 3> share = kNoTexel;
   if (textured)
-    if (const auto t = texel(f, in)) {
-      const Texture& texture = model_.picture().scene().textures[model_.mesh().materials[material].texture];
-      const std::size_t k = static_cast<std::size_t>(t->y) * texture.width + t->x;
-      for (int c = 0; c < 3; ++c)
-        share[c] = (model_.channels == 3 ? texture.channel[c][k] : texture.gray[k]) / 255.0;
-    }
+    for (int c = 0; c < 3; ++c)
+      share[c] = (model_.channels == 3 ? textured->channel[c] : textured->gray)[texel(*textured, in)] / 255.0;
   shown.NdotL = place.NdotL, shown.RdotV = place.RdotV;
   shown.I = intensity(place, share);
   if (model_.colors) {
@@ -295,30 +291,16 @@ double OtherProgram::realCell(double I) const {
   const int last = table_.shades() - 1;
   const double lnR = std::log(1.0 / s.I0) / last;
   const double ratios = I > 0.0 ? std::max(0.0, std::log(I / s.I0) / lnR) : 0.0;
-  switch (way_.cell) {
-    case CellWay::By240:
-      return (last + 1) * I;
-    case CellWay::By255:
-      return 255.0 * I;
-    case CellWay::Even:
-      return last * I;
-    case CellWay::Ratios:
-      return ratios;
-    case CellWay::Ratio240:
-      return ratios * (last + 1) / last;
-    case CellWay::Ratio64:
-      return ratios * 63 / last;
-    case CellWay::NaturalLog:
-      return ratios * lnR;
-    case CellWay::NoI0:
-      return 0.0;
-    case CellWay::NoI0Wraps:
-      return I > 0.0 ? std::log(I) / lnR : 0.0;
-    default:
-      break;
-  }
-  if (isEven(s.kind)) return last * I;
-  return s.pick == Pick::Log ? ratios : table_.shade(I);
+  const CellWay way = way_.cell;
+  if (way == CellWay::By240) return (last + 1) * I;
+  if (way == CellWay::By255) return 255.0 * I;
+  if (way == CellWay::Ratio240) return ratios * (last + 1) / last;
+  if (way == CellWay::Ratio64) return ratios * 63 / last;
+  if (way == CellWay::NaturalLog) return ratios * lnR;
+  if (way == CellWay::NoI0) return 0.0;
+  if (way == CellWay::NoI0Wraps) return I > 0.0 ? std::log(I) / lnR : 0.0;
+  if (way == CellWay::Even || (isEven(s.kind) && way != CellWay::Ratios)) return last * I;
+  return s.pick == Pick::Log || way == CellWay::Ratios ? ratios : table_.shade(I);
 }
 
 int OtherProgram::cellOf(double I) const {
@@ -357,22 +339,12 @@ double OtherProgram::withoutTable(double I) const {
 double OtherProgram::stored(int cell) const {
   int j = cell - table_.first();
   const auto shown = [](double level) { return std::floor(std::floor(65535.0 * level + 0.5) / 256.0); };
-  switch (way_.store) {
-    case StoreWay::Minus11:
-      return std::clamp(cell - 11.0, 0.0, 255.0);
-    case StoreWay::EightIn16:
-      return 0.0;
-    case StoreWay::Rounded8:
-      return nearestWhole(255.0 * levelOf(j));
-    case StoreWay::Gamma:
-      return shown(std::pow(levelOf(j), 1.0 / 2.2));
-    case StoreWay::Backwards:
-      j = table_.shades() - 1 - j;
-      break;
-    default:
-      break;
-  }
-  return table_.settings().bits == 8 ? nearestWhole(255.0 * levelOf(j)) : shown(levelOf(j));
+  if (way_.store == StoreWay::Minus11) return std::clamp(cell - 11.0, 0.0, 255.0);
+  if (way_.store == StoreWay::EightIn16) return 0.0;
+  if (way_.store == StoreWay::Gamma) return shown(std::pow(levelOf(j), 1.0 / 2.2));
+  if (way_.store == StoreWay::Backwards) j = table_.shades() - 1 - j;
+  const bool in8 = table_.settings().bits == 8 || way_.store == StoreWay::Rounded8;
+  return in8 ? nearestWhole(255.0 * levelOf(j)) : shown(levelOf(j));
 }
 
 /// Where a sample lies: in which triangle of its face, and on which texel.
@@ -407,6 +379,8 @@ OtherProgram::InTriangle OtherProgram::triangle(const SnappedFace& face, int i, 
     std::array<double, 3> overDepth{};
     for (int e = 0; e < 3; ++e)
       p[e] = *places_.onScreen[corner[e]] - at, overDepth[e] = 1.0 / places_.depth[corner[e]];
+    const glm::dvec2 u = p[1] - p[0], v = p[2] - p[0];
+    if (u.x * v.y == u.y * v.x) continue;  // it has no area
     const Weights onScreen = weightsOfOrigin(p);
     const double least = std::ranges::min(onScreen);
     if (least <= inside) continue;
@@ -416,28 +390,29 @@ OtherProgram::InTriangle OtherProgram::triangle(const SnappedFace& face, int i, 
   return best;
 }
 
-std::optional<glm::ivec2> OtherProgram::texel(const SnappedFace& face, const InTriangle& in) const {
+const Texture* OtherProgram::textureOf(int face) const {
   const Mesh& mesh = model_.mesh();
-  const int material = mesh.material[face.number];
-  if (material < 0 || mesh.materials[material].texture < 0) return std::nullopt;
-  const Texture& texture = model_.picture().scene().textures[mesh.materials[material].texture];
+  const int material = mesh.material[face], texture = material < 0 ? -1 : mesh.materials[material].texture;
+  return texture < 0 ? nullptr : &model_.picture().scene().textures[texture];
+}
+
+std::size_t OtherProgram::texel(const Texture& texture, const InTriangle& in) const {
+  const Mesh& mesh = model_.mesh();
   glm::dvec2 uv{0.0};
   for (int k = 0; k < 3; ++k)
     uv += (way_.onScreen ? in.onScreen : in.inWorld)[k] * mesh.uv[mesh.uvOfCorner[in.corner[k]]];
   const double u = uv.x - std::floor(uv.x), v = uv.y - std::floor(uv.y);
-  return glm::ivec2{std::min(static_cast<int>(u * texture.width), texture.width - 1),
-                    std::clamp(static_cast<int>((1.0 - v) * texture.height), 0, texture.height - 1)};
+  const int column = std::min(static_cast<int>(u * texture.width), texture.width - 1),
+            row = std::clamp(static_cast<int>((1.0 - v) * texture.height), 0, texture.height - 1);
+  return static_cast<std::size_t>(row) * texture.width + column;
 }
 
 int OtherProgram::texelAt(int face, int i, int j) {
   const SnappedFace& f = model_.snapped().faces[face];
-  const int material = model_.mesh().material[f.number];
-  if (material < 0 || model_.mesh().materials[material].texture < 0) return -1;
-  const Texture& texture = model_.picture().scene().textures[model_.mesh().materials[material].texture];
-  const auto here = texel(f, triangle(f, i, j));
-  if (!here) return -1;
-  const std::size_t k = static_cast<std::size_t>(here->y) * texture.width + here->x;
-  return texture.channel[0][k] << 16 | texture.channel[1][k] << 8 | texture.channel[2][k];
+  const Texture* const texture = textureOf(f.number);
+  if (!texture) return -1;
+  const std::size_t k = texel(*texture, triangle(f, i, j));
+  return texture->channel[0][k] << 16 | texture->channel[1][k] << 8 | texture->channel[2][k];
 }
 
 }  // namespace xnewell

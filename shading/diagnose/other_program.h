@@ -74,7 +74,10 @@ class OtherProgram {
   [[nodiscard]] LitPlace gouraud(const SnappedFace& face, const InTriangle& in, bool clamps);
   [[nodiscard]] LitPlace alongRow(const SnappedFace& face, int i, int j, bool clamps);
   [[nodiscard]] LitPlace phong(const SnappedFace& face, const InTriangle& in);
-  [[nodiscard]] std::optional<glm::ivec2> texel(const SnappedFace& face, const InTriangle& in) const;
+  /// Of a face of the mesh; null for none.
+  [[nodiscard]] const Texture* textureOf(int face) const;
+  /// The texel of a sample, an index into a channel.
+  [[nodiscard]] std::size_t texel(const Texture& texture, const InTriangle& in) const;
   [[nodiscard]] double intensity(const LitPlace& place, const std::array<double, 3>& texel) const;
   static void onRamp(ShownHere& shown, const std::array<double, 3>& I, const ColorTable& table);
   [[nodiscard]] int cellOf(double I) const;

@@ -33,106 +33,111 @@ dvec3 anglesOf(const dmat4& R) {
           std::atan2(-R[1][0], R[0][0])};
 }
 
+constexpr ViewMistake row(std::string_view key, std::string_view sentence, void (*change)(V&),
+                          bool isAllowed = false) {
+  return {key, sentence, change, isAllowed};
+}
+
 constexpr std::array kRows{
-    ViewMistake{"view-T-after-R", "The scene is turned first and moved then: R comes before T(-eye).",
-                [](V& s) { s.view = moved(-s.from) * s.R; }},
-    ViewMistake{"view-T-after-R", "The scene is turned first and moved then: R comes before T(-eye).",
-                [](V& s) { s.view = moved(-s.prp) * moved(-s.spec.vrp) * s.R; }},
-    ViewMistake{"view-S-first", "The scaling S comes first, before R and T.",
-                [](V& s) {
-                  const dmat4 S = s.S;
-                  s.S = dmat4{1.0};
-                  s.view = s.vrcFromWorld() * S;
-                }},
-    ViewMistake{"R-angles-negated", "The angles of the rotation have the other sign.",
-                [](V& s) { s.R = turnedBy(-anglesOf(s.R)); }},
-    ViewMistake{"R-in-degrees", "The angles of the rotation are degrees where the functions take radians.",
-                [](V& s) { s.R = turnedBy(anglesOf(s.R) / kDegree); }},
-    ViewMistake{"fov-in-degrees", "The field of view is in degrees where tan takes radians.",
-                [](V& s) {
-                  const double by = std::tan(s.fov / 2 * kDegree) / std::tan(s.fov / 2);
-                  s.scale(by, by);
-                }},
-    ViewMistake{"R-transposed", "R is transposed: u, v and n are its columns, not its rows.",
-                [](V& s) { s.R = glm::transpose(s.R); }},
-    ViewMistake{"view-transposed", "The matrix R T(-eye) is transposed.",
-                [](V& s) { s.view = glm::transpose(s.vrcFromWorld()); }},
-    ViewMistake{"rows-for-columns", "The whole matrix is transposed: points are rows where it takes columns.",
-                [](V& s) { s.all = glm::transpose(s.clipFromWorld()); }},
-    ViewMistake{"R-wrong-axis", "The rotations about x and y are about each other's axis.",
-                [](V& s) {
-                  const dvec3 a = anglesOf(s.R);
-                  s.R = turnedBy({a.y, a.x, a.z});
-                }},
-    ViewMistake{"w-not-divided", "x and y are not divided by w.", [](V& s) { s.divides = false; }},
-    ViewMistake{"w-not-divided", "x and y are not divided by w.",
-                [](V& s) {
-                  s.divides = false;
-                  s.scale(s.prp.z - s.spec.back, s.prp.z - s.spec.back);
-                }},
-    ViewMistake{"divided-before-clipping", "Points are divided by w before they are clipped.",
-                [](V& s) { s.clips = false; }},
-    ViewMistake{"aspect-inverted", "The aspect is height / width, not width / height.",
-                [](V& s) { s.scale(s.aspect * s.aspect, 1); }},
-    ViewMistake{"aspect-forgotten", "The aspect is left out, so the picture is stretched.",
-                [](V& s) { s.scale(s.aspect, 1); }},
-    ViewMistake{"fov-not-halved", "The tangent is that of the field of view, not of its half.",
-                [](V& s) {
-                  const double by = std::tan(s.fov / 2 * kDegree) / std::tan(s.fov * kDegree);
-                  s.scale(by, by);
-                }},
-    ViewMistake{"fov-horizontal", "The field of view is that of the width, not of the height.",
-                [](V& s) { s.scale(s.aspect, s.aspect); }},
-    ViewMistake{"v-is-VUP", "v is VUP itself, which is not made orthogonal to n.",
-                [](V& s) { s.turn(rowOf(s.R, 0), glm::normalize(s.spec.vup), rowOf(s.R, 2)); }},
-    ViewMistake{"VPN-reversed", "VPN points away from the eye.",
-                [](V& s) { s.turn(-rowOf(s.R, 0), rowOf(s.R, 1), -rowOf(s.R, 2)); }},
-    ViewMistake{"VPN-reversed", "VPN points away from the eye.",
-                [](V& s) {
-                  s.turn(-rowOf(s.R, 0), rowOf(s.R, 1), -rowOf(s.R, 2));
-                  s.clips = false;
-                }},
-    ViewMistake{"eye-and-look-at-exchanged", "The eye and the look-at point are in each other's place.",
-                [](V& s) {
-                  s.turn(-rowOf(s.R, 0), rowOf(s.R, 1), -rowOf(s.R, 2));
-                  s.from = s.lookAt;
-                }},
-    ViewMistake{"u-left-handed", "u is n x VUP, not VUP x n.",
-                [](V& s) { s.turn(-rowOf(s.R, 0), rowOf(s.R, 1), rowOf(s.R, 2)); }},
-    ViewMistake{"u-left-handed", "u is n x VUP, not VUP x n.",
-                [](V& s) { s.turn(-rowOf(s.R, 0), -rowOf(s.R, 1), rowOf(s.R, 2)); }},
-    ViewMistake{"shear-forgotten", "The shear is left out.", [](V& s) { s.SH = dmat4{1.0}; }},
-    ViewMistake{"shear-negated", "The shear has the other sign.",
-                [](V& s) { s.SH[2][0] *= -1, s.SH[2][1] *= -1; }},
-    ViewMistake{"window-centre-forgotten", "The window's centre is taken for the origin.",
-                [](V& s) {
-                  if (s.isPerspective())
-                    s.SH[2][0] = -s.prp.x / s.prp.z, s.SH[2][1] = -s.prp.y / s.prp.z;
-                  else
-                    s.T[3][0] = s.T[3][1] = 0;
-                }},
-    ViewMistake{"viewport-half-pixel", "The picture lies half a pixel off.",
-                [](V& s) {
-                  s.off = {0.5, 0.5};
-                },
-                true},
-    ViewMistake{"viewport-half-pixel", "The picture lies half a pixel off.",
-                [](V& s) {
-                  s.off = {-0.5, -0.5};
-                },
-                true},
-    ViewMistake{"viewport-one-short", "The viewport is a pixel less wide and high than the picture.",
-                [](V& s) { s.size -= 1.0; }},
-    ViewMistake{"viewport-one-short", "The viewport is a pixel less wide and high than the picture.",
-                [](V& s) {
-                  s.size -= 1.0, s.off = {0.5, 0.5};
-                }},
-    ViewMistake{"flip-y", "The picture is upside down: y of the screen runs down.",
-                [](V& s) { s.scale(1, -1); }},
-    ViewMistake{"flip-x", "The picture is its mirror image.", [](V& s) { s.scale(-1, 1); }},
-    ViewMistake{"turned-180", "The picture is turned by 180 degrees.", [](V& s) { s.scale(-1, -1); }},
-    ViewMistake{"near-plane-negated", "The near plane has the other sign, so all that shows is clipped.",
-                [](V& s) { s.showsNothing = true; }},
+    row("view-T-after-R", "The scene is turned first and moved then: R comes before T(-eye).",
+        [](V& s) { s.view = moved(-s.from) * s.R; }),
+    row("view-T-after-R", "The scene is turned first and moved then: R comes before T(-eye).",
+        [](V& s) { s.view = moved(-s.prp) * moved(-s.spec.vrp) * s.R; }),
+    row("view-S-first", "The scaling S comes first, before R and T.",
+        [](V& s) {
+          const dmat4 S = s.S;
+          s.S = dmat4{1.0};
+          s.view = s.vrcFromWorld() * S;
+        }),
+    row("R-angles-negated", "The angles of the rotation have the other sign.",
+        [](V& s) { s.R = turnedBy(-anglesOf(s.R)); }),
+    row("R-in-degrees", "The angles of the rotation are degrees where the functions take radians.",
+        [](V& s) { s.R = turnedBy(anglesOf(s.R) / kDegree); }),
+    row("fov-in-degrees", "The field of view is in degrees where tan takes radians.",
+        [](V& s) {
+          const double by = std::tan(s.fov / 2 * kDegree) / std::tan(s.fov / 2);
+          s.scale(by, by);
+        }),
+    row("R-transposed", "R is transposed: u, v and n are its columns, not its rows.",
+        [](V& s) { s.R = glm::transpose(s.R); }),
+    row("view-transposed", "The matrix R T(-eye) is transposed.",
+        [](V& s) { s.view = glm::transpose(s.vrcFromWorld()); }),
+    row("rows-for-columns", "The whole matrix is transposed: points are rows where it takes columns.",
+        [](V& s) { s.all = glm::transpose(s.clipFromWorld()); }),
+    row("R-wrong-axis", "The rotations about x and y are about each other's axis.",
+        [](V& s) {
+          const dvec3 a = anglesOf(s.R);
+          s.R = turnedBy({a.y, a.x, a.z});
+        }),
+    row("w-not-divided", "x and y are not divided by w.", [](V& s) { s.divides = false; }),
+    row("w-not-divided", "x and y are not divided by w.",
+        [](V& s) {
+          s.divides = false;
+          s.scale(s.prp.z - s.spec.back, s.prp.z - s.spec.back);
+        }),
+    row("divided-before-clipping", "Points are divided by w before they are clipped.",
+        [](V& s) { s.clips = false; }),
+    row("aspect-inverted", "The aspect is height / width, not width / height.",
+        [](V& s) { s.scale(s.aspect * s.aspect, 1); }),
+    row("aspect-forgotten", "The aspect is left out, so the picture is stretched.",
+        [](V& s) { s.scale(s.aspect, 1); }),
+    row("fov-not-halved", "The tangent is that of the field of view, not of its half.",
+        [](V& s) {
+          const double by = std::tan(s.fov / 2 * kDegree) / std::tan(s.fov * kDegree);
+          s.scale(by, by);
+        }),
+    row("fov-horizontal", "The field of view is that of the width, not of the height.",
+        [](V& s) { s.scale(s.aspect, s.aspect); }),
+    row("v-is-VUP", "v is VUP itself, which is not made orthogonal to n.",
+        [](V& s) { s.turn(rowOf(s.R, 0), glm::normalize(s.spec.vup), rowOf(s.R, 2)); }),
+    row("VPN-reversed", "VPN points away from the eye.",
+        [](V& s) { s.turn(-rowOf(s.R, 0), rowOf(s.R, 1), -rowOf(s.R, 2)); }),
+    row("VPN-reversed", "VPN points away from the eye.",
+        [](V& s) {
+          s.turn(-rowOf(s.R, 0), rowOf(s.R, 1), -rowOf(s.R, 2));
+          s.clips = false;
+        }),
+    row("eye-and-look-at-exchanged", "The eye and the look-at point are in each other's place.",
+        [](V& s) {
+          s.turn(-rowOf(s.R, 0), rowOf(s.R, 1), -rowOf(s.R, 2));
+          s.from = s.lookAt;
+        }),
+    row("u-left-handed", "u is n x VUP, not VUP x n.",
+        [](V& s) { s.turn(-rowOf(s.R, 0), rowOf(s.R, 1), rowOf(s.R, 2)); }),
+    row("u-left-handed", "u is n x VUP, not VUP x n.",
+        [](V& s) { s.turn(-rowOf(s.R, 0), -rowOf(s.R, 1), rowOf(s.R, 2)); }),
+    row("shear-forgotten", "The shear is left out.", [](V& s) { s.SH = dmat4{1.0}; }),
+    row("shear-negated", "The shear has the other sign.", [](V& s) { s.SH[2][0] *= -1, s.SH[2][1] *= -1; }),
+    row("window-centre-forgotten", "The window's centre is taken for the origin.",
+        [](V& s) {
+          if (s.isPerspective())
+            s.SH[2][0] = -s.prp.x / s.prp.z, s.SH[2][1] = -s.prp.y / s.prp.z;
+          else
+            s.T[3][0] = s.T[3][1] = 0;
+        }),
+    row(
+        "viewport-half-pixel", "The picture lies half a pixel off.",
+        [](V& s) {
+          s.off = {0.5, 0.5};
+        },
+        true),
+    row(
+        "viewport-half-pixel", "The picture lies half a pixel off.",
+        [](V& s) {
+          s.off = {-0.5, -0.5};
+        },
+        true),
+    row("viewport-one-short", "The viewport is a pixel less wide and high than the picture.",
+        [](V& s) { s.size -= 1.0; }),
+    row("viewport-one-short", "The viewport is a pixel less wide and high than the picture.",
+        [](V& s) {
+          s.size -= 1.0, s.off = {0.5, 0.5};
+        }),
+    row("flip-y", "The picture is upside down: y of the screen runs down.", [](V& s) { s.scale(1, -1); }),
+    row("flip-x", "The picture is its mirror image.", [](V& s) { s.scale(-1, 1); }),
+    row("turned-180", "The picture is turned by 180 degrees.", [](V& s) { s.scale(-1, -1); }),
+    row("near-plane-negated", "The near plane has the other sign, so all that shows is clipped.",
+        [](V& s) { s.showsNothing = true; }),
 };
 
 }  // namespace
