@@ -92,7 +92,6 @@ const std::map<std::string, Changed> kTerms{
 {"R-with-3", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::clamp(3 * p.NL * p.NV - dot(p.L, p.V), 0.0, 1.0), p.n); }},
 {"rim", [](Terms& t, const Place& p, double, double, double) { t.s += 0.3 * std::pow(1 - std::fabs(p.NV), 3); }},
 {"V-is-z", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::max(0.0, 2 * p.NL * p.N[2] - p.L[2]), p.n); }},
-{"V-is-minus-P", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::max(0.0, -(2 * p.NL * dot(p.N, p.P) - dot(p.L, p.P)) / std::sqrt(dot(p.P, p.P))), p.n); }},
 {"RV-by-angle", [](Terms& t, const Place& p, double, double r, double lit) { t.s = lit * p.ks * std::pow(std::max(0.0, 1 - std::acos(std::min(1.0, r)) / 1.5707963), p.n); }},
 {"mean-of-cosines", [](Terms& t, const Place& p, double c, double r, double lit) { t.s = lit * p.ks * std::pow((c + r) / 2, p.n); }},
 {"product-of-cosines", [](Terms& t, const Place& p, double c, double r, double lit) { t.s = lit * p.ks * std::pow(c * r, p.n); }},
