@@ -58,7 +58,7 @@ std::vector<Node> nodesOf(const SortPen& pen, const std::vector<RingLink>& ring,
 std::vector<RingPlace> drawRing(SortPen& pen, const std::vector<RingLink>& ring) {
   const Rect& all = pen.at.ring;
   const int heading = pen.caps(all.x, all.y + 10, "CYCLE") + 8;
-  pen.soft(heading, all.y + 10, "an arrow: is painted before");
+  pen.soft(heading, all.y + 10, "an arrow: is painted before; its step");
   const Rect area{all.x, all.y + 18, all.width, all.height - 20};
   std::vector<Node> nodes = nodesOf(pen, ring, area);
   std::vector<RingPlace> places;
@@ -79,7 +79,7 @@ std::vector<RingPlace> drawRing(SortPen& pen, const std::vector<RingLink>& ring)
       if (!open)
         for (const double wide : {2.0, 3.0})
           segment(pen.paint, b, {b.x - 8 * dx + side * wide * dy, b.y - 8 * dy - side * wide * dx}, cell);
-    const std::string words = !open ? "step " + std::to_string(from.link.step)
+    const std::string words = !open ? (nodes.size() > 5 ? "" : "step ") + std::to_string(from.link.step)
                               : pen.event->kind == Event::Kind::Split ? "cut"
                                                                       : "contact";
     const int width = textWidth(words) + 4;

@@ -92,7 +92,7 @@ TEST(TheirRun, NamesAndNumbersAreThoseOfTheJudge) {
   isTold(2, "line 3, not taken: P piece 12 of face 0 A");
   isTold(3, "line 3, paint: P piece 12 of face 0 A");
   isTold(4, "test 2 says yes: P face 1 B, Q piece 13 of face 0 A");
-  isTold(4, "share " + fixed(overlap, 1) + " px");
+  isTold(4, "share " + fixed(overlap, 0) + " px");
 }
 
 // What trace writes is the program's own run: the same is painted in the end, and no step is false.
