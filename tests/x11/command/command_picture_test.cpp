@@ -111,22 +111,6 @@ void expectSheets(const RgbImage& ids, const std::vector<Sheet>& all, double eye
   EXPECT_GT(hidden, 1000);
 }
 
-/// An OBJ of the scene with every coordinate times 2^k.
-std::string scaledObj(const Mesh& mesh, int k) {
-  std::string text;
-  for (const glm::dvec3& p : mesh.points) {
-    text += "v";
-    for (int axis = 0; axis < 3; ++axis) text += " " + number(std::ldexp(p[axis], k));
-    text += "\n";
-  }
-  for (int f = 0; f < mesh.faceCount(); ++f) {
-    text += "f";
-    for (const int corner : mesh.face(f)) text += " " + std::to_string(corner + 1);
-    text += "\n";
-  }
-  return text;
-}
-
 std::set<int> colorsOf(const RgbImage& image) {
   std::set<int> colors;
   for (const auto& [color, count] : idCounts(image)) colors.insert(color);
