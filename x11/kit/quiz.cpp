@@ -12,7 +12,7 @@ void askNumber(Prompt& host, const page::Question& asked, Score& score,
                std::function<void(std::optional<int>)> tried, std::function<void(bool)> tell) {
   const auto isFirst = std::make_shared<bool>(true);
   host.ask({.asks = "predict " + asked.name + (asked.decimals > 0 ? ", to two decimals at least" : "") +
-                    (asked.lands ? ", or click its cell on the strip" : ""),
+                    (asked.lands ? ", or click the strip" : ""),
             .take =
                 [asked, isFirst, &score, tried = std::move(tried), tell](const std::string& text) {
                   const auto answer = asked.judged(text);
@@ -20,9 +20,8 @@ void askNumber(Prompt& host, const page::Question& asked, Score& score,
                   if (std::exchange(*isFirst, false)) score.add(answer.isRight);
                   tried(answer.lands);
                   if (answer.isRight) return tell(true), std::string{};
-                  return "Not so: " + text +
-                         (answer.lands ? " is where the strip has a mark" : std::string{" is not right"}) +
-                         ". Try again, or press Esc to see it.";
+                  return std::string{answer.lands ? "Not so: the strip marks it" : "Not so"} +
+                         ". Try again; Esc shows it.";
                 },
             .dropped = [tell] { tell(false); },
             .cells = asked.lands != nullptr,

@@ -137,7 +137,7 @@ TEST(Predict, AsksAndScores) {
   view.showsAll();
   const int cell = view.bench.inspected().value();
   view.predicts();
-  EXPECT_EQ(view.line.typed()->asks, "predict the cell, or click its cell on the strip");
+  EXPECT_EQ(view.line.typed()->asks, "predict the cell, or click the strip");
   EXPECT_TRUE(view.line.pick(cell));
   view.draws();
   EXPECT_FALSE(view.line.isOpen());
