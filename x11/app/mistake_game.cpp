@@ -1,16 +1,23 @@
 #include "x11/app/mistake_game.h"
 
 #include <algorithm>
+#include <random>
 #include <stdexcept>
 #include <utility>
 
 #include "shading/light/mistake.h"
 #include "shading/picture/picture_cache.h"
-#include "x11/homework/questions.h"
 
 namespace xnewell {
 
 namespace {
+
+using Dice = std::mt19937;
+/// A place in a list of so many. (The distributions of the standard library differ from machine to machine.)
+template <class List>
+auto rolled(Dice& dice, List& list) {
+  return list.begin() + static_cast<std::ptrdiff_t>(dice() % list.size());
+}
 
 /// A mistake, and a small picture that has it.
 struct Mistaken {
@@ -46,13 +53,12 @@ std::vector<const Mistaken*> drawn(const std::vector<Mistaken>& from, const Mist
   std::vector<const Mistaken*> chosen{&asked}, rest;
   for (const Mistaken& one : from) rest.push_back(&one);
   while (!rest.empty() && chosen.size() < 4) {
-    const auto at = rest.begin() + rolled(dice, 0, static_cast<int>(rest.size()) - 1);
+    const auto at = rolled(dice, rest);
     if (std::ranges::all_of(chosen, [&](const Mistaken* c) { return areUnlike(c->image, (*at)->image); }))
       chosen.push_back(*at);
     rest.erase(at);
   }
-  std::swap(chosen[0],
-            chosen[static_cast<std::size_t>(rolled(dice, 0, static_cast<int>(chosen.size()) - 1))]);
+  std::iter_swap(chosen.begin(), rolled(dice, chosen));
   return chosen;
 }
 
@@ -80,7 +86,7 @@ Lesson mistakeGame(const Scene& scene, PictureSettings settings, unsigned seed) 
     return figure;
   };
   while (!left.empty() && game.steps.size() < kSteps) {
-    const auto at = left.begin() + rolled(dice, 0, static_cast<int>(left.size()) - 1);
+    const auto at = rolled(dice, left);
     const Mistaken asked = *at;
     left.erase(at);
     const std::vector<const Mistaken*> choices = drawn(all, asked, dice);
