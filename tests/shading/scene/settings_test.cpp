@@ -91,15 +91,15 @@ TEST(SettingRows, ReachEveryMember) {
   EXPECT_TRUE(form != was.form && farL != was.constantL && farV != was.constantV && two != was.twoSided);
   EXPECT_NE(texel, was.texel);
   EXPECT_NE(mistake, was.mistake);
-  const auto& [width, height, camera, lights, shading, normals, crease, polygons, interpolated, raw, adapt,
-               environment, mapping, order, cull, pieces, inPixels, colors, dither, table] = all;
+  const auto& [width, height, camera, light1, ownLights, shading, normals, crease, polygons, interpolated,
+               raw, adapt, environment, mapping, order, cull, pieces, inPixels, colors, dither, table] = all;
   EXPECT_TRUE(shading != expected.shading && normals != expected.normals && crease != expected.crease);
   EXPECT_TRUE(polygons != expected.polygons && adapt != expected.adapt && mapping != expected.mapping);
   EXPECT_TRUE(interpolated != expected.interpolated && raw != expected.unnormalized);
   EXPECT_TRUE(environment != expected.environment && order != expected.order && cull != expected.cull);
   EXPECT_TRUE(inPixels != expected.inPixels && colors != expected.colors && dither != expected.dither);
   EXPECT_TRUE(width == expected.width && height == expected.height && camera == expected.camera);
-  EXPECT_TRUE(&lights == &all.light && pieces == expected.mostPieces);
+  EXPECT_TRUE(&light1 == &all.light && ownLights == expected.lights && pieces == expected.mostPieces);
   const auto& [kind, shades, I0, pick, hue, bits, first, low, high] = table;
   const TableSettings before;
   EXPECT_TRUE(kind != before.kind && shades != before.shades && I0 != before.I0 && pick != before.pick);
