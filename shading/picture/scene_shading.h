@@ -87,7 +87,7 @@ class SceneShading {
     Illumination light;
     Channels channels;
     std::optional<std::vector<xnewell::Light>> lights = {};  ///< PictureSettings::lights
-    std::optional<Eye> eye = {};  ///< with a mistake, any term may ask for it
+    std::optional<Eye> eye = {};                             ///< with a mistake, any term may ask for it
     bool operator==(const Light&) const = default;
   };
   struct OfLighting {

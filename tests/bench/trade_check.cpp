@@ -16,8 +16,8 @@
 
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/units.h"
-#include "shading/trade/trade.h"
 #include "shading/trade/measure.h"
+#include "shading/trade/trade.h"
 #include "tests/support/random_lit_scenes.h"
 
 namespace xnewell {
