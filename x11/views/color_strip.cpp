@@ -49,6 +49,7 @@ SceneCellWords wordsOf(const Picture& picture, const PaletteEffects& effects) {
 
 std::optional<int> cellInStrip(const Rect& at, int x, int y) {
   const StripPlaces places{at};
+  if (places.width == 0) return std::nullopt;  // a small window has no strip
   const int cell = x < places.x0 ? -1 : (x - places.x0) / places.width;
   if (cell < 0 || cell > 255 || y < at.y || y >= at.y + kBars + 1 + kHeight) return std::nullopt;
   return cell;
