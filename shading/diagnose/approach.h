@@ -61,6 +61,7 @@ enum class StoreWay {
   Ratio64,
   Backwards,
   Gamma,
+  Gamma8,
   By255,
   By256,
   ByGamma

@@ -208,8 +208,9 @@ std::optional<std::array<std::uint8_t, 3>> Diagnoser::groundOf(const HandedIn& h
 /// True if what the file's palette holds is one of the tables that a program may have stored.
 bool Diagnoser::hasOurCells(const HandedIn& handed) {
   if (!handed.cells || model_.colors) return false;
-  for (const StoreWay store : {StoreWay::AsAsked, StoreWay::Rounded8, StoreWay::Minus11, StoreWay::EightIn16,
-                               StoreWay::Ratio240, StoreWay::Ratio64, StoreWay::Backwards, StoreWay::Gamma}) {
+  for (const StoreWay store :
+       {StoreWay::AsAsked, StoreWay::Rounded8, StoreWay::Minus11, StoreWay::EightIn16, StoreWay::Ratio240,
+        StoreWay::Ratio64, StoreWay::Backwards, StoreWay::Gamma, StoreWay::Gamma8}) {
     const OtherProgram program{model_, {.store = store}};
     std::size_t same = 0;
     for (const DiagnosedSample& s : samples_) {

@@ -236,6 +236,7 @@ class Diagnoser {
   struct Score {
     double share = 0, overlap = 0;
     int known = 0, counted = 0, faces = 0;  ///< places; those where either picture shows a face; faces
+    bool hasGround = false;                 ///< the picture has one colour beside the faces
   };
   static constexpr int kEdge = -2;
   [[nodiscard]] const Seen& seenBy(const Hypothesis& h);

@@ -75,7 +75,7 @@ std::vector<Rows> rowsBeforeViews() {
   return {
       rows(M::Right, "right", "", "It is right.", {{}}, nullptr, nullptr),
       allowed("table-gamma", "table", "The stored values are v^(1/2.2), as some courses ask.",
-              {{.store = StoreWay::Gamma}}),
+              {{.store = StoreWay::Gamma}, {.store = StoreWay::Gamma8}}),
       allowed("L-constant", "L", "L is the same everywhere, as of a light far away.",
               {{.light = TowardsLight::Constant}}),
       allowed("V-constant", "V", "V is the same everywhere, as of an eye far away.",

@@ -342,6 +342,8 @@ double OtherProgram::stored(int cell) const {
   if (way_.store == StoreWay::Minus11) return std::clamp(cell - 11.0, 0.0, 255.0);
   if (way_.store == StoreWay::EightIn16) return 0.0;
   if (way_.store == StoreWay::Gamma) return shown(std::pow(levelOf(j), 1.0 / 2.2));
+  if (way_.store == StoreWay::Gamma8)
+    return nearestWhole(255.0 * std::pow(shown(levelOf(j)) / 255.0, 1.0 / 2.2));
   if (way_.store == StoreWay::Backwards) j = table_.shades() - 1 - j;
   const bool in8 = table_.settings().bits == 8 || way_.store == StoreWay::Rounded8;
   return in8 ? nearestWhole(255.0 * levelOf(j)) : shown(levelOf(j));

@@ -60,7 +60,7 @@ Diagnoser::Score Diagnoser::scoreOf(const HandedIn& handed, const Seen& seen, co
   if (!beside.empty())
     ground = std::ranges::max_element(beside, {}, [](const auto& c) { return c.second; })->first;
   if (ground && beside[*ground] * 100 < seen.face.size()) ground.reset();
-  Score score;
+  Score score{.hasGround = ground.has_value()};
   std::set<int> faces;
   int hits = 0, both = 0;
   for (std::size_t k = 0; k < seen.face.size(); k += stride) {
@@ -163,7 +163,7 @@ bool Diagnoser::decidePlaced(const HandedIn& handed, Diagnosis& d) {
   // Whatever the shades are, outlines that fit a view alone tell it.
   std::erase_if(views, [&](auto& one) {
     one.second.cost = 1.0 - one.first.overlap;
-    return one.first.overlap < std::max(kOutlinesTell, asItIs.overlap + 0.05) ||
+    return !one.first.hasGround || one.first.overlap < std::max(kOutlinesTell, asItIs.overlap + 0.05) ||
            one.first.counted < kManyPlaces || one.first.counted > 0.95 * one.first.known;
   });
   std::vector<Fit> found;

@@ -92,17 +92,17 @@ Lesson mistakeGame(const Scene& scene, PictureSettings settings, unsigned seed) 
     const std::vector<const Mistaken*> choices = drawn(all, asked, dice);
     if (choices.size() < 3) continue;
     LessonStep step;
-    step.heading = "Which mistake is it?";
+    step.heading = "A program with a mistake";
     step.caption = {"Two programs drew this, and one of them has a mistake in its equation."};
     step.figure = showing(Mistake::None, "right", asked.row->id, "with a mistake");
     LessonQuestion question;
-    question.asks = "What does it do?";
+    question.asks = "Which mistake is it?";
     for (const Mistaken* const choice : choices) {
       const MistakeRow& row = *choice->row;
       const bool holds = row.id == asked.row->id;
       LessonAnswer answer;
       answer.text = row.words, answer.holds = holds, answer.says = row.is;
-      if (!holds) answer.says += " Below is what that would look like.";
+      if (!holds) answer.says = "Below is " + answer.text + ". " + answer.says;
       answer.shown = holds ? showing(Mistake::None, "right", row.id, answer.text)
                            : showing(asked.row->id, "with the mistake", row.id, answer.text);
       question.answers.push_back(std::move(answer));

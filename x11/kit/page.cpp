@@ -657,8 +657,10 @@ Question::Judged Question::judged(const std::string& text) const {
   // The numbers that a page shows are rounded, so a result from them may be off by a little more.
   const double allowed =
       std::max(0.5 * std::pow(10.0, -shown) * (1.0 + 1e-9), 0.75 * std::pow(10.0, -decimals));
+  std::optional<int> cell = lands ? std::optional{lands(*typed)} : std::nullopt;
+  if (cell && (*cell < 0 || *cell > 255)) cell.reset();
   return {.isRight = std::min(std::abs(*typed - value), std::abs(*typed - written)) <= allowed,
-          .lands = lands ? std::optional{lands(*typed)} : std::nullopt};
+          .lands = cell};
 }
 
 }  // namespace xnewell::page

@@ -20,7 +20,7 @@ void askNumber(Prompt& host, const page::Question& asked, Score& score,
                   if (std::exchange(*isFirst, false)) score.add(answer.isRight);
                   tried(answer.lands);
                   if (answer.isRight) return tell(true), std::string{};
-                  return std::string{answer.lands ? "Not so: the strip marks it" : "Not so"} +
+                  return std::string{answer.lands ? "Not so: the strip marks your cell" : "Not so"} +
                          ". Try again; Esc shows it.";
                 },
             .dropped = [tell] { tell(false); },

@@ -322,6 +322,14 @@ Finding findingOf(const Picture& A, const Picture& B, const Difference& ofA, con
     return {"The same intensities get different shades. " + they,
             "In the linear table all steps are equally large. In the corrected table all are the same "
             "percentage, and that is what the eye compares. View 3 plots both."};
+  const MistakeRow &inA = rowOf(A.settings().light.mistake), &inB = rowOf(B.settings().light.mistake);
+  if (inA.id != inB.id)  // each is compared with what its own equation says
+    return {
+        (inA.id == Mistake::None   ? "B has " + std::string{inB.words}
+         : inB.id == Mistake::None ? "A has " + std::string{inA.words}
+                                   : "A has " + std::string{inA.words} + ", B " + std::string{inB.words}) +
+            ".",
+        they};
   const int decimals = rowOf(ofA.kind).decimals;
   const bool aIsNearer = ofA.errors.rootMeanSquare < ofB.errors.rootMeanSquare;
   const std::string least = fixed(std::min(ofA.errors.rootMeanSquare, ofB.errors.rootMeanSquare), decimals),

@@ -142,6 +142,7 @@ Controls PictureView::controls() {
     };
   }
   const InForce inForce{now, subject.scene};
+  const auto leftOf = [](double share) { return std::max(0.0, std::floor((1 - share) * 100 + 1e-9) / 100); };
   const auto setIp = [this, lamp = lamp_, ip = lamps[lamp_].Ip](double Ip) {
     const glm::dvec3 hue = largest(ip) > 0 ? ip / largest(ip) : glm::dvec3{1};
     host_.change(kLampChange, [&](Setup& s) { listedLamps(s, subject_().scene)[lamp].Ip = Ip * hue; });
@@ -152,10 +153,10 @@ Controls PictureView::controls() {
       control.off.clear(), control.initially.reset();
       control.label = "Ip of light " + std::to_string(lamp_ + 1);
       control.value = largest(lamps[lamp_].Ip);
-      control.range.high = std::floor((1 - inForce.Ia - others) * 100 + 1e-9) / 100;
+      control.range.high = leftOf(inForce.Ia + others);
       control.set = setIp;
     }
-    if (own && control.key == 'i') control.range.high = std::floor((1 - inForce.Ip) * 100 + 1e-9) / 100;
+    if (own && control.key == 'i') control.range.high = leftOf(inForce.Ip);
     if (control.key == 'p')  // its thumb stands at Ia + Ip
       control.drag = [this, own, others, inForce, setIp](int x, int, int, int) {
         const TrackRange share{};
@@ -248,11 +249,13 @@ bool PictureView::grab(int x, int y) {
 }
 
 void PictureView::addLamp() {
+  const std::size_t from = lamp_;
   host_.change('A', [&](Setup& s) {
     std::vector<Light>& lamps = listedLamps(s, subject_().scene);
     Light& chosen = lamps[lamp_];
-    chosen.Ip /= 2.0;
     Light added = chosen;
+    added.Ip = glm::floor(chosen.Ip * 50.0 + 1e-9) / 100.0;  // numbers that the panel writes whole
+    chosen.Ip -= added.Ip;
     const glm::dvec3 centre = inSceneUnits(subject_().centre, subject_().scene);
     const UpAxis up = subject_().scene.up;
     turnLight(added, up, 100, lightAngles(added, up, centre).elevation > 60 ? -40 : 0, centre);
@@ -260,8 +263,8 @@ void PictureView::addLamp() {
     lamps.push_back(added);
   });
   list_.setFocus(ControlId{'l', static_cast<int>(lamp_)});
-  host_.tell("Light " + std::to_string(lamp_ + 1) +
-             " has half the Ip of the one before. l chooses a light, p changes its Ip, X takes it away.");
+  host_.tell("Light " + std::to_string(from + 1) + " gave half its Ip to light " + std::to_string(lamp_ + 1) +
+             ". l chooses a light, p changes its Ip, X takes it away.");
 }
 
 void PictureView::removeLamp() {

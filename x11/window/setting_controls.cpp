@@ -149,9 +149,10 @@ Control gammaControl(double shown, std::function<void(double gamma)> change) {
 std::string ownOfScene(char control, const Setup& shown, const Scene& scene) {
   const Setting* const setting = settingOf(control == '[' ? 'i' : control == ']' ? 'p' : control);
   const std::string_view what = setting ? setting->replaces : "";
-  if (what == "ambient")
-    return scene.light.Ia ? "The scene has its own ambient light, so Ia cannot be changed." : "";
-  if (what == "lights")
+  if (what == "ambient" && scene.light.Ia)
+    return "The scene has its own ambient light, so Ia cannot be changed.";
+  if (what == "ambient" && control != '[') return "";
+  if (what == "lights" || control == '[')
     return hasOwnLamps(shown, scene)
                ? "The scene has its own lights: in view 1, l chooses one and p changes its Ip."
                : "";

@@ -36,7 +36,7 @@ void expectAllToAnswer(TwinWindow& twin) {
     if (drags) {
       const Rect& grip = place.grip;
       const int x = grip.x + grip.width / 2, y = grip.y + grip.height / 2;
-      const bool atTheEnd = x + 30 > place.area.x + place.area.width;  // as the crease angle is
+      const bool atTheEnd = x > place.area.x + place.area.width / 2;  // as the crease angle is
       twin.drag(x, y, atTheEnd ? x - 30 : x + 30, y - 20);
     } else if (place.options.empty()) {
       twin.click(place.area);
