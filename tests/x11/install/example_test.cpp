@@ -81,7 +81,7 @@ class ExampleTest : public InstalledTest {
 // every sample, the face that `xnewell draw` finds without any order, and it draws the same picture.
 TEST_F(ExampleTest, PaintsWhatTheProgramShows) {
   const Finished configured =
-      inFolder("/", XNEWELL_CMAKE " -S '" + source() + "' -B " + quoted(file("example")) +
+      inFolder("/", XNEWELL_CMAKE " -G Ninja -S '" + source() + "' -B " + quoted(file("example")) +
                         " -DCMAKE_PREFIX_PATH=" + quoted(installed("")) +
                         " -DCMAKE_CXX_COMPILER='" XNEWELL_CXX "' -DCMAKE_CXX_FLAGS='" XNEWELL_CXX_FLAGS "'");
   ASSERT_EQ(configured.status, 0) << configured.err;
