@@ -7,12 +7,13 @@
 #include <utility>
 
 #include "shading/picture/picture_cache.h"
+#include "tests/x11/support/staged_view.h"
 #include "x11/lessons/lesson_view.h"
 
 namespace xnewell {
 
-/// A window with one view, the lessons, and without bands: what the workbench does for a bench, and no more.
-class LessonWindow : public Host {
+/// A window with one view, the lessons, and without bands.
+class LessonWindow : public QuietHost {
  public:
   explicit LessonWindow(glm::ivec2 size = {1024, 768}) : layout{layoutOf(size.x, size.y)} {}
 
@@ -30,22 +31,16 @@ class LessonWindow : public Host {
     bench.leave();
     view = v;
   }
-  void explain(double, double) override {}
-  void explainWrong() override {}
   void sortFrom(int step) override {
     sortedFrom = step;
     switchTo(View::DepthSort);
   }
-  void fill(const std::string&) override {}
-  void compare(const Setup&) override {}
   void ask(Question asked) override { question = std::move(asked); }
   void notify(std::string n) override { notice = std::move(n); }
   void tell(std::string n) override { notice = std::move(n); }
   void change(char, const std::function<void(Setup&)>& edit) override { edit(setup_); }
   [[nodiscard]] const Setup& setup() const override { return setup_; }
   [[nodiscard]] const Setup& defaults() const override { return first_; }
-  void undo() override {}
-  void pressLetter(char) override {}
 
   /// Returns whether the bench took the key.
   bool press(const Key& key) {

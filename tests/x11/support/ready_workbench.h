@@ -2,12 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
 #include "x11/app/workbench.h"
 
 namespace xnewell {
+
+/// A part of an image.
+[[nodiscard]] inline IndexImage partOf(const IndexImage& image, const Rect& r) {
+  IndexImage copy{r.width, r.height, 0};
+  for (int j = 0; j < r.height; ++j) std::copy_n(image.row(r.y + j) + r.x, r.width, copy.row(j));
+  return copy;
+}
 
 /// A workbench at a size, up to date, with functions for keys and mouse.
 struct ReadyWorkbench : Workbench {
@@ -26,12 +34,27 @@ struct ReadyWorkbench : Workbench {
     press(key);
     finish();
   }
+  void does(std::string_view letters) {
+    type(letters);
+    finish();
+  }
+  void click(int x, int y) {
+    (void)grab(x, y);
+    settle();
+    finish();
+  }
   /// Drags the picture by so many pixels.
   void drag(int dx, int dy) {
     const Rect& at = layout().picture;
     const int x = at.x + at.width / 2, y = at.y + at.height / 2;
     ASSERT_TRUE(grab(x, y));
     dragTo(x + dx, y + dy);
+  }
+  /// A part of the window.
+  [[nodiscard]] IndexImage part(const Rect& r) const { return partOf(image(), r); }
+  /// All of the window but the status line, which tells times.
+  [[nodiscard]] IndexImage aboveStatus() const {
+    return part({0, 0, image().width, layout().roomy ? layout().status.y : image().height});
   }
   /// True if the status line warns.
   [[nodiscard]] bool complains() const {

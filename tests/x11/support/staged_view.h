@@ -9,8 +9,24 @@
 
 namespace xnewell {
 
-/// The surroundings of one bench in a window: what the workbench does for a bench, and no more.
-class StagedView : public Host {
+/// The surroundings of one bench in a window, which do nothing but what is said anew.
+class QuietHost : public Host {
+ public:
+  void open(Scene, const xnewell::Setup&) override {}
+  void close() override {}
+  void undo() override {}
+  void pressLetter(char) override {}
+  void switchTo(View) override {}
+  void explain(double, double) override {}
+  void explainWrong() override {}
+  void sortFrom(int) override {}
+  void fill(const std::string&) override {}
+  void compare(const xnewell::Setup&) override {}
+  void change(char, const std::function<void(xnewell::Setup&)>&) override {}
+};
+
+/// What the workbench does for a bench, and no more.
+class StagedView : public QuietHost {
  public:
   StagedView(const char* scene, int divisions, int width, int height, const xnewell::Setup& first = {})
       : now{first},
@@ -25,18 +41,11 @@ class StagedView : public Host {
   void open(Scene scene, const xnewell::Setup& s) override {
     pictures = PictureCache{std::move(scene)}, now = s;
   }
-  void close() override {}
   void undo() override {
     if (undone.empty()) return;
     now = undone.back();
     undone.pop_back();
   }
-  void pressLetter(char) override {}
-  void switchTo(View) override {}
-  void explain(double, double) override {}
-  void explainWrong() override {}
-  void sortFrom(int) override {}
-  void fill(const std::string&) override {}
   void compare(const xnewell::Setup& B) override { compared = B; }
   void ask(Question asked) override { question = std::move(asked); }
   void notify(std::string notice) override { notices.push_back(std::move(notice)); }

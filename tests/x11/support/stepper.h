@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "shading/picture/picture_cache.h"
+#include "tests/x11/support/staged_view.h"
 #include "x11/stepper/sort_page.h"
 #include "x11/stepper/sort_view.h"
 
@@ -11,7 +12,7 @@ namespace xnewell {
 
 /// The depth-sort stepper without a window: a scene, its picture, which is made again when the bench asks for
 /// another, and what the bench asks of its host.
-class Stepper : private Host {
+class Stepper : private QuietHost {
  public:
   explicit Stepper(Scene scene, int width = 1024, int height = 768)
       : bench{*this}, pictures_{std::move(scene)}, image_{width, height, 0} {
@@ -81,20 +82,9 @@ class Stepper : private Host {
  private:
   [[nodiscard]] const xnewell::Setup& setup() const override { return wanted; }
   [[nodiscard]] const xnewell::Setup& defaults() const override { return wanted; }
-  void close() override {}
-  void undo() override {}
-  void pressLetter(char) override {}
-  void open(Scene, const xnewell::Setup&) override {}
-  void switchTo(View) override {}
-  void explain(double, double) override {}
-  void explainWrong() override {}
-  void sortFrom(int) override {}
-  void fill(const std::string&) override {}
-  void compare(const xnewell::Setup&) override {}
   void ask(Question question) override { questions.push_back(std::move(question)); }
   void notify(std::string notice) override { notices.push_back(std::move(notice)); }
   void tell(std::string news) override { notices.push_back(std::move(news)); }
-  void change(char, const std::function<void(xnewell::Setup&)>&) override {}
 
   PictureCache pictures_;
   Layout layout_;
