@@ -1,5 +1,3 @@
-#include "x11/stepper/own_sort.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,20 +7,18 @@
 #include "depthsort/fragment_spans.h"
 #include "depthsort/oracle.h"
 #include "depthsort/order.h"
-#include "shading/color/font.h"
 #include "shading/diagnose/paint_steps.h"
 #include "shading/laboratory/exactness.h"
 #include "tests/support/seeds.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/program.h"
 #include "tests/x11/support/stepper.h"
-#include "x11/drawing/wording.h"
 #include "x11/options/shell_words.h"
 #include "x11/stepper/fragment_tint.h"
+#include "x11/stepper/own_sort.h"
+#include "x11/stepper/sort_wording.h"
 
 namespace xnewell::THIS_FILE {
-
-// The student sorts: what is valid, what a wrong step does, and what is kept of it.
 
 namespace {
 
@@ -119,6 +115,8 @@ void sortByTruth(Sorting& s, unsigned seed) {
 }
 
 }  // namespace
+
+// The student sorts: what is valid, what a wrong step does, what is kept of it, and what the page says.
 
 // Whoever paints only what hides nothing that is left, in any order, does only valid steps. The file that is
 // written is right to `judge`, and so is the whole in the window.
@@ -361,36 +359,22 @@ TEST(OwnSort, ComesAndGoes) {
   EXPECT_EQ(s.notices.back(), "The polygons have other places now, so your sort begins again.");
 }
 
-// No key of the view has two meanings while the student sorts, and each has words.
-TEST(OwnSort, KeysAreUnique) {
-  Sorting s{"cycle"};
-  s.press("t");
-  std::set<std::pair<NamedKey, char>> taken;
-  for (const KeyRow& row : s.bench.keys()) {
-    EXPECT_FALSE(row.does.empty());
-    for (const Key& key : row.keys)
-      EXPECT_TRUE(taken.insert({key.name, key.name == NamedKey::Letter ? key.letter : '\0'}).second)
-          << nameOf(key);
-  }
-  EXPECT_TRUE(taken.contains({NamedKey::Letter, '5'}));
-}
-
-// What is said fits its box at every size of the window, also with the longest names.
-TEST(OwnSort, WordsFit) {
-  for (const bool shut : {false, true})
-    for (const Rect& body : {Rect{16, 48, 992, 612}, Rect{16, 43, 768, 428}, Rect{8, 26, 784, 450}}) {
-      if (!shut && body.x < 16) continue;  // with the drawer shut, the margins are smaller
-      const SortLayout at = layoutOfSort(body, shut, true);
-      const Rect &last = at.acts.back(), &box = at.finding;
-      EXPECT_LE(last.x + last.width, box.x + box.width);
-      const std::string longest =
-          "It is nearer than face 1234.2abab, which is left to paint, at 12,345 samples, such as 123,456. "
-          "Test 3 tells: face 1234.2abab is wholly on the far side of the plane of face 5678.2abab.";
-      const auto lines = broken(longest, (box.width - 20) / kGlyphWidth).size();
-      EXPECT_LE(last.y + last.height + at.line - 2 + (static_cast<int>(lines) - 1) * at.line,
-                box.y + box.height)
-          << shut << body.width;
-    }
+// A click on a row of the tests names that test, as `t` and its digit do, also after other steps. Nothing
+// else happens: the run is not left for another step.
+TEST(OwnPage, AClickOnATestNamesIt) {
+  for (const auto& [width, height] : {std::pair{1024, 768}, {800, 600}, {1280, 1024}, {2048, 1536}})
+    for (const char* const before : {"", "cp"})
+      for (int k = 0; k < kOwnTests; ++k) {
+        SCOPED_TRACE(std::to_string(width) + ' ' + before + ' ' + std::to_string(k + 1));
+        Sorting clicked{"cycle", 3, width, height}, typed{"cycle", 3, width, height};
+        for (Sorting* const page : {&clicked, &typed}) page->press(before), page->draw();
+        clicked.click(layoutOfSort(layoutOf(width, height).body, false, true).testRow(k));
+        typed.press("t" + std::to_string(k + 1));
+        clicked.draw(), typed.draw();
+        EXPECT_TRUE(clicked.own().passed[k]);
+        EXPECT_EQ(clicked.own(), typed.own());
+        EXPECT_EQ(clicked.step(), clicked.run().steps());
+      }
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -1,30 +1,63 @@
-#include "x11/stepper/sort_page.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <set>
 
 #include "shading/color/font.h"
+#include "shading/diagnose/paint_steps.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/seeds.h"
-#include "tests/x11/support/shown_sort_page.h"
+#include "tests/x11/support/ready_workbench.h"
+#include "x11/drawing/painter.h"
+#include "x11/drawing/wording.h"
 #include "x11/stepper/outline.h"
 #include "x11/stepper/sort_code.h"
+#include "x11/stepper/sort_layout.h"
+#include "x11/stepper/sort_page.h"
 #include "x11/stepper/sort_wording.h"
 
 namespace xnewell::THIS_FILE {
 
-// What the stepper draws.
-
 namespace {
 
-using Page = ShownSortPage;
+constexpr Rect kWide{16, 48, 992, 612}, kCompact{16, 43, 768, 428};
+
+/// The page of a scene's run in a body, on a ground that nothing else uses.
+struct Page {
+  static constexpr std::uint8_t kGround = 77;
+
+  std::optional<Picture> picture;
+  CellPlan plan;
+  SortLayout at;
+  std::unique_ptr<SortRun> run;
+  IndexImage image;
+  SortState view;
+  SortDrawn drawn;
+
+  explicit Page(Scene scene, const Rect& body = kWide, Cull cull = Cull::Keep)
+      : at{layoutOfSort(body)}, image{body.x + body.width + 16, body.y + body.height + 16, kGround} {
+    PictureSettings settings;
+    settings.width = at.picture.width;
+    settings.height = at.picture.height;
+    settings.cull = cull;
+    settings.camera = completed({}, scene.camera);
+    picture = makePicture(std::move(scene), settings);
+    run = std::make_unique<SortRun>(*picture, plan[Cell::Well]);
+  }
+  const IndexImage& show(int step) {
+    view.step = step;
+    drawn = drawSortPage(image, at, *run, view, plan);
+    return image;
+  }
+  [[nodiscard]] const Event& event(int step) const { return run->sorted().events[step - 1]; }
+  [[nodiscard]] std::uint8_t operator()(Cell c) const { return plan[c]; }
+};
 
 Scene polygons(const std::string& list, const std::string& name = "p") {
   return parsed(R"({"objects": [{"name": ")" + name + R"(", "polygons": [)" + list + "]}]}");
@@ -56,7 +89,31 @@ std::vector<Scene> extremes() {
   return all;
 }
 
+/// Bodies of windows of 800 x 540 and more.
+std::vector<Rect> bodies() {
+  return {{16, 43, 768, 428},   {16, 43, 768, 449},   {16, 48, 992, 612}, {16, 48, 1248, 612},
+          {16, 43, 1200, 449},  {8, 26, 744, 450},    {8, 26, 904, 432},  {16, 48, 768, 900},
+          {16, 48, 1568, 1044}, {16, 48, 3000, 2000}, {8, 26, 744, 428},  {8, 26, 784, 450},
+          {8, 26, 8192, 8192}};
+}
+
+std::vector<Rect> partsOf(const SortLayout& at) {
+  std::vector<Rect> all{
+      at.picture, at.table,    at.finding,
+      at.step,    at.timeline, intersection(at.speed.area, at.body)};  // its thumb reaches into the margin
+  if (at.shut)
+    all.push_back(at.headline);
+  else
+    all.insert(all.end(), {at.side, at.list});
+  for (const ControlPlace& toggle : at.toggles) all.push_back(toggle.area);
+  all.insert(all.end(), at.transport.begin(), at.transport.end());
+  all.insert(all.end(), at.kinds.options.begin(), at.kinds.options.end());
+  return all;
+}
+
 }  // namespace
+
+// What the stepper draws.
 
 // A step looks the same whether it is reached forward, backward or from anywhere else.
 TEST(SortPage, DoesNotDependOnTheWayThere) {
@@ -74,39 +131,6 @@ TEST(SortPage, DoesNotDependOnTheWayThere) {
     }
     for (int k = 1; k <= last; ++k) ASSERT_NE(forward[k], forward[k - 1]) << scene << ' ' << k;
   }
-}
-
-// At the end the picture so far is the finished picture. Without the loupe, the page shows just that picture
-// with the polygon painted last in outline, except in the line of words above. The loupe lies in the picture.
-TEST(SortPage, ShowsThePictureSoFar) {
-  Page page{readScene("teapot", 3)};
-  const int steps = page.run->steps();
-  page.view.loupe = false;
-  page.show(steps);
-  EXPECT_TRUE(page.drawn.loupe.empty());
-  ASSERT_EQ(page.event(steps).kind, Event::Kind::Paint);
-  IndexImage expected = page.picture->paint(page(Cell::Well)).image;
-  EXPECT_EQ(page.run->soFar(), expected);
-  Painter paint{expected};
-  const Outline last = outlineOf(page.run->fragments().region(page.event(steps).P));
-  outline(paint, last, page(Cell::Black), {4});
-  outline(paint, last, page(Cell::P), {2});
-  const int above = 18 - kGlyphAscent - 1,
-            below = above + kGlyphHeight + 2;  // the words' rows, with their halo
-  const Rect& at = page.at.picture;
-  for (int j = 0; j < expected.height; ++j) {
-    if (j >= above && j < below) continue;
-    ASSERT_TRUE(std::equal(expected.row(j), expected.row(j) + expected.width, page.image.row(at.y + j) + at.x,
-                           [&](std::uint8_t is, std::uint8_t shown) {  // names have a rim
-                             return shown == is || shown == page(Cell::WellText) || shown == page(Cell::Well);
-                           }))
-        << "row " << j;
-  }
-
-  page.view.loupe = true;
-  page.show(steps);
-  ASSERT_FALSE(page.drawn.loupe.empty());
-  EXPECT_EQ(intersection(page.drawn.loupe, at), page.drawn.loupe);
 }
 
 // The polygon at a pixel is the one seen there. At the end it is that of the finished picture. Before
@@ -392,6 +416,190 @@ TEST(SortPage, SaysWhichLinesAreOursAndWherePIsFrom) {
     EXPECT_EQ(std::ranges::count(lines, true, &CodeLine::ours), 4);
   }
   EXPECT_TRUE(moved);
+}
+
+// A cut keeps the names that its two polygons had in the tests before it, and the tests stay in the table.
+// The words say which of the two is cut: the one that the record calls P.
+TEST(SortPage, ACutKeepsTheNamesOfItsTests) {
+  int cuts = 0, ofQ = 0;
+  for (const char* const scene : {"penetrate", "teapot", "crossing-sheets"}) {
+    SCOPED_TRACE(scene);
+    Page page{readScene(scene, 4)};
+    const Rect rows{page.at.table.x, page.at.table.y + page.at.line, page.at.table.width,
+                    page.at.table.height - page.at.line};
+    for (int step = 2; step <= page.run->steps(); ++step) {
+      const Event &cut = page.event(step), &tests = page.event(step - 1);
+      if (cut.kind != Event::Kind::Split || tests.kind != Event::Kind::Compare) continue;
+      const IndexImage atCut = partOf(page.show(step), rows);
+      const Event named = *page.run->asTested();
+      EXPECT_EQ(named.P, tests.P);
+      EXPECT_EQ(named.Q, tests.Q);
+      const StepFinding finding = findingOf(*page.run, page.view);
+      const bool P = cut.P == tests.P;
+      EXPECT_EQ(finding.bold, P ? "P is cut in two." : "Q is cut in two.");
+      EXPECT_NE(finding.why.find(P ? "P is split by the plane of Q" : "Q is split by the plane of P"),
+                std::string::npos)
+          << finding.why;
+      EXPECT_EQ(partOf(page.show(step - 1), rows), atCut);
+      ++cuts, ofQ += !P;
+    }
+  }
+  EXPECT_GT(cuts, 20);
+  EXPECT_GT(ofQ, 5);
+}
+
+// The loupe stands in the lower right corner, and elsewhere only if it would hide a part of P or Q there. So
+// it seldom jumps.
+TEST(SortPage, TheLoupeSeldomJumps) {
+  Page page{readScene("teapot", 3)};
+  const Rect& picture = page.at.picture;
+  int jumps = 0, steps = 0, elsewhere = 0;
+  bool before = true;
+  for (int step = 1; step <= 1000; ++step) {
+    page.show(step);
+    const Rect& now = page.drawn.loupe;
+    const std::optional<Event> event = page.run->asTested();
+    if (now.empty() || !event) continue;
+    const bool usual = now.x > picture.x + picture.width / 4 && now.y > picture.y + picture.height / 4;
+    jumps += usual != before;
+    before = usual;
+    ++steps;
+    if (usual) continue;
+    ++elsewhere;
+    bool met = false;  // the loupe in the lower right would begin right of the middle, and below a third
+    for (const int id : {event->P, event->Q}) {
+      if (id < 0) continue;
+      const Range x = page.run->explainer().xExtent(id), y = page.run->explainer().yExtent(id);
+      met |= x.high >= picture.width / 2 && y.high >= picture.height / 3;
+    }
+    EXPECT_TRUE(met) << step;
+  }
+  EXPECT_GT(steps, 150);  // of large polygons there is none
+  EXPECT_GT(elsewhere, 0);
+  EXPECT_LT(jumps, steps / 5);
+}
+
+// A name stands on what the finished picture shows of its polygon, so no name is on another.
+TEST(SortPage, NamesStandOnTheirPolygons) {
+  for (const char* scene : {"cycle", "coarse-teapot"}) {
+    Page page{readScene(scene, 3)};
+    page.show(page.run->steps() / 2);
+    std::vector<int> ids = page.run->waiting();
+    for (int n = 0; n < page.run->replay().painted(); ++n) ids.push_back(page.run->paintedId(n));
+    constexpr glm::ivec2 kSize{12, 10};
+    std::vector<std::uint32_t> faces = page.picture->faceImage();
+    int found = 0;
+    for (const int id : ids)
+      if (const auto corner = page.run->roomFor(id, kSize)) {
+        ++found;
+        for (int k = 0; k < kSize.x * kSize.y; ++k) {
+          std::uint32_t& face =
+              faces[std::size_t(corner->y + k / kSize.x) * page.at.picture.width + corner->x + k % kSize.x];
+          ASSERT_EQ(face, static_cast<std::uint32_t>(page.run->fragments().face(id).number) + 1);
+          face = 0;  // taken
+        }
+      }
+    EXPECT_GT(found, 2) << scene;
+  }
+}
+
+// The words about the picture so far stand at its top, unless a part of P or Q is there; then they stand at
+// its foot, if the foot is free.
+TEST(SortPage, WordsKeepClearOfPAndQ) {
+  Scene near = readScene("teapot", 3);
+  near.camera.fov = 12;  // polygons everywhere
+  Page page{std::move(near)};
+  page.view.loupe = false;
+  const Rect& picture = page.at.picture;
+  const auto wordsIn = [&](int y, int height) {
+    int count = 0;
+    for (int j = picture.y + y; j < picture.y + y + height; ++j)
+      count += static_cast<int>(std::count(page.image.row(j) + picture.x + 10,
+                                           page.image.row(j) + picture.x + 200, page(Cell::WellText)));
+    return count;
+  };
+  int above = 0, below = 0;
+  for (int step = 1; step <= page.run->steps(); step += 7) {
+    page.show(step);
+    const Event event = page.event(step);
+    bool high = false;
+    for (const int id : {event.P, event.Q})
+      if (id >= 0) {
+        const Range x = page.run->explainer().xExtent(id), y = page.run->explainer().yExtent(id);
+        high |= x.low < 400 && y.low < 21;
+      }
+    const bool isAbove = wordsIn(7, 14) > 50;
+    EXPECT_NE(isAbove, wordsIn(picture.height - 20, 14) > 50) << step;
+    EXPECT_TRUE(isAbove || high) << step;
+    (isAbove ? above : below) += 1;
+  }
+  EXPECT_GT(above, 20);
+  EXPECT_GT(below, 20);
+}
+
+// All parts lie in the body and do not overlap, in every window with room for them. While the student sorts,
+// what is said fits its box, also with the longest names, and every size that the window writes can be read.
+TEST(SortLayout, PartsKeepApart) {
+  const std::string longest =
+      "It is nearer than face 1234.2abab, which is left to paint, at 12,345 samples, such as 123,456. "
+      "Test 3 tells: face 1234.2abab is wholly on the far side of the plane of face 5678.2abab.";
+  for (const Rect& body : bodies()) {
+    SCOPED_TRACE(std::to_string(body.width) + " x " + std::to_string(body.height));
+    for (const auto& [shut, own] : {std::pair{false, false}, {true, false}, {false, true}, {true, true}}) {
+      if (!shut && body.x < 16) continue;  // with the drawer shut, the margins are smaller
+      const SortLayout at = layoutOfSort(body, shut, own);
+      EXPECT_EQ(at.picture, layoutOfSort(body, shut).picture);
+      EXPECT_GE(std::min(at.picture.width, at.picture.height), kLeastOrderSize);
+      if (own) {
+        for (const Rect& act : at.acts) EXPECT_EQ(intersection(act, at.finding), act);
+        const Rect &last = at.acts.back(), &box = at.finding;
+        const auto lines = static_cast<int>(broken(longest, (box.width - 20) / kGlyphWidth).size());
+        EXPECT_LE(last.y + last.height + at.line - 2 + (lines - 1) * at.line, box.y + box.height);
+      }
+      const std::vector<Rect> all = partsOf(at);
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        ASSERT_FALSE(all[i].empty()) << i;
+        ASSERT_EQ(intersection(all[i], body), all[i]) << i;
+        for (std::size_t j = 0; j < i; ++j)
+          ASSERT_TRUE(intersection(all[i], all[j]).empty()) << i << ' ' << j;
+      }
+      EXPECT_GE(at.picture.width, 400);
+      EXPECT_GE(at.picture.height, 146);
+      EXPECT_GE(at.rows(), shut ? 0 : 8);
+      for (const Rect& answer : at.answers) EXPECT_EQ(intersection(answer, at.finding), answer);
+      for (int k = 0; k < kToggleCount; ++k)
+        EXPECT_GE(at.toggles[k].area.width, 17 + textWidth(kToggleNames[k])) << kToggleNames[k];
+    }
+  }
+}
+
+// Steps go along the timeline from end to end. If each step has its own column, the column leads back to the
+// step. Otherwise it leads to one of the steps in that column.
+TEST(SortLayout, ColumnsAndStepsAgree) {
+  const Rect line{84, 591, 924, 60};
+  for (const int steps : {0, 1, 2, 19, 300, 923, 924, 20339, 4000000}) {
+    const TrackRange range{0, static_cast<double>(steps), 1, false, 0};
+    const auto stepAt = [&](int x) {
+      return static_cast<int>(valueAt(range, static_cast<double>(x - line.x) / (line.width - 1)));
+    };
+    EXPECT_EQ(columnOf(line, 0, steps), line.x);
+    if (steps > 0) {
+      EXPECT_EQ(columnOf(line, steps, steps), line.x + line.width - 1);
+    }
+    for (int step = 0; step <= steps; step += std::max(1, steps / 1000)) {
+      const int column = columnOf(line, step, steps);
+      ASSERT_EQ(columnOf(line, stepAt(column), steps), column);
+      if (steps < line.width) {
+        ASSERT_EQ(stepAt(column), step);
+      }
+    }
+    EXPECT_EQ(stepAt(-1000), 0);
+    EXPECT_EQ(stepAt(5000), steps);
+  }
+  for (int x = 0; x < 168; ++x)
+    EXPECT_EQ(std::lround(167 * shareOf(kSpeeds, valueAt(kSpeeds, x / 167.0))), x);
+  EXPECT_EQ(valueAt(kSpeeds, -0.1), kSpeeds.low);
+  EXPECT_EQ(valueAt(kSpeeds, 1.1), kSpeeds.high);
 }
 
 }  // namespace xnewell::THIS_FILE
