@@ -1,14 +1,13 @@
-#include "x11/window/colors_view.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "tests/x11/support/ready_workbench.h"
+#include "x11/drawing/sheet.h"
+#include "x11/window/colors_view.h"
+#include "x11/window/mach_bands_view.h"
 
 namespace xnewell::THIS_FILE {
-
-// The colour table in the window: what keys and pointer do to the colours, and how it is undone.
 
 namespace {
 
@@ -30,16 +29,6 @@ xnewell::Setup corrected() {
 
 ColorsLayout layoutIn(const Workbench& b) { return layoutOfColors(b.layout().body); }
 
-IndexImage part(const IndexImage& image, const Rect& r) {
-  IndexImage copy{r.width, r.height, 0};
-  for (int j = 0; j < r.height; ++j) std::copy_n(image.row(r.y + j) + r.x, r.width, copy.row(j));
-  return copy;
-}
-
-IndexImage withoutStatus(const Workbench& b) {
-  return part(b.image(), {0, 0, b.layout().width, b.layout().status.y});
-}
-
 void dragCurve(Workbench& b, int dy) {
   const Rect plot = layoutIn(b).stored;
   ASSERT_TRUE(b.grab(plot.x + plot.width / 2, plot.y + plot.height / 2));
@@ -52,7 +41,36 @@ const std::array<std::function<void(ReadyWorkbench&)>, 5> kEffects{
     [](ReadyWorkbench& b) { b.type("g"); }, [](ReadyWorkbench& b) { dragCurve(b, -30); },
     [](ReadyWorkbench& b) { b.type("hgm"), b.tick(), dragCurve(b, 20); }};
 
+struct InMachBands : ReadyWorkbench {
+  explicit InMachBands(const std::string& scene = "teapot", int width = 1024, int height = 768)
+      : ReadyWorkbench{{}, width, height, scene} {
+    type("4");
+    update();
+  }
+  [[nodiscard]] Rect shownPicture() const {
+    Rect at = layoutOfMachBands(layout().width, layout().body.height + 2 * Sheet::kMargin).picture;
+    at.y += layout().body.y - Sheet::kMargin;
+    return at;
+  }
+  /// The row of the window where a scanline is marked in white from edge to edge; -1 for nowhere.
+  [[nodiscard]] int markedRow() const {
+    const Rect at = shownPicture();
+    for (int j = at.y; j < at.y + at.height; ++j)
+      if (std::all_of(image().row(j) + at.x, image().row(j) + at.x + at.width,
+                      [&](std::uint8_t cell) { return cell == plan()[Cell::White]; }))
+        return j;
+    return -1;
+  }
+  void press(NamedKey name, bool shift = false) {
+    ReadyWorkbench::press({name, 0, shift});
+    update();
+  }
+  using ReadyWorkbench::press;
+};
+
 }  // namespace
+
+// The colour table in the window: what keys and pointer do to the colours, and how it is undone.
 
 // Leaving the view brings the picture's colours back bit for bit, whatever was stored, and the window as it
 // was. Esc and r do the same within the view.
@@ -60,12 +78,11 @@ TEST(ColorsWindow, LeavingRestoresThePalette) {
   for (const xnewell::Setup& setup : {xnewell::Setup{}, corrected()}) {
     ReadyWorkbench b{setup};
     const Palette palette = b.palette();
-    const IndexImage image = withoutStatus(b);
+    const IndexImage image = b.aboveStatus();
     for (std::size_t k = 0; k < kEffects.size(); ++k) {
       SCOPED_TRACE(k);
-      b.type("3");
-      b.finish();
-      const IndexImage before = withoutStatus(b);
+      b.does("3");
+      const IndexImage before = b.aboveStatus();
       EXPECT_NE(before, image);
       EXPECT_EQ(b.palette(), palette);
       for (const char leaving : {'e', 'r', '1'}) {
@@ -74,14 +91,14 @@ TEST(ColorsWindow, LeavingRestoresThePalette) {
         EXPECT_NE(b.palette(), palette);
         b.settle();
         if (leaving == 'e')
-          b.press({NamedKey::Escape});
+          b.press(NamedKey::Escape);
         else
           b.type({&leaving, 1});
         b.finish();
         EXPECT_EQ(b.palette(), palette);
         EXPECT_FALSE(b.moving());
       }
-      EXPECT_EQ(withoutStatus(b), image);
+      EXPECT_EQ(b.aboveStatus(), image);
     }
   }
 }
@@ -94,7 +111,7 @@ TEST(ColorsWindow, EffectsAreColorsAlone) {
   EXPECT_EQ(b.stale(), Stale::Everything);  // the line of words that says so
   b.finish();
   const Rect picture = layoutIn(b).picture;
-  const IndexImage image = b.image(), shown = part(image, picture);
+  const IndexImage image = b.image(), shown = partOf(image, picture);
   EXPECT_GT(std::ranges::count_if(shown.pixels, [](int cell) { return cell > 10; }), 10'000);
   const auto changesColors = [&](auto&& act) {
     const IndexImage before = b.image();
@@ -121,42 +138,7 @@ TEST(ColorsWindow, EffectsAreColorsAlone) {
     b.update();
     EXPECT_EQ(b.stale(), Stale::Nothing);
     EXPECT_NE(b.image(), image);
-    EXPECT_EQ(part(b.image(), picture), shown);
-  }
-}
-
-// The ramp is back where it was after as many steps as it has shades, and not earlier.
-TEST(ColorsWindow, AFullTurnIsNone) {
-  xnewell::Setup setup;
-  setup.picture.table.shades = 50;
-  InColors b{setup};
-  const Palette start = b.palette();
-  b.type("m");
-  b.finish();
-  EXPECT_TRUE(b.moving());
-  for (int k = 1; k <= 50; ++k) {
-    b.tick();
-    b.update();
-    EXPECT_EQ(b.palette() == start, k == 50) << k;
-  }
-  b.type("m");
-  EXPECT_FALSE(b.moving());
-}
-
-// With several hues, each ramp moves by itself: the cells of a ramp keep the same set of colours.
-TEST(ColorsWindow, EachRampMovesWithinItself) {
-  InColors b{{}, "hues"};
-  const Palette start = b.palette();
-  b.type("m");
-  b.finish();
-  for (int k = 0; k < 7; ++k) b.tick();
-  b.update();
-  EXPECT_NE(b.palette(), start);
-  const std::vector<CellRange> ramps = rampsOf(b.picture());
-  EXPECT_EQ(ramps.size(), 7u);
-  for (const CellRange& ramp : ramps) {
-    const auto from = start.begin() + ramp.first;
-    EXPECT_TRUE(std::is_permutation(from, from + ramp.count, b.palette().begin() + ramp.first));
+    EXPECT_EQ(b.part(picture), shown);
   }
 }
 
@@ -165,26 +147,24 @@ TEST(ColorsWindow, EachRampMovesWithinItself) {
 TEST(ColorsWindow, HeldIndicesStayWhenTheTableChanges) {
   InColors b;
   const Rect picture = layoutIn(b).picture;
-  const IndexImage shown = part(b.image(), picture);
-  b.type("i");
-  b.finish();
+  const IndexImage shown = b.part(picture);
+  b.does("i");
   b.type("T");
   EXPECT_EQ(b.setup().picture.table.kind, TableKind::Corrected);
   EXPECT_EQ(b.stale(), Stale::Colors);
   b.finish();
-  EXPECT_EQ(part(b.image(), picture), shown);
+  EXPECT_EQ(b.part(picture), shown);
   const ColorTable other{b.setup().picture.table};
   for (int j = 0; j < kMaxShades; ++j) ASSERT_EQ(b.palette()[other.first() + j], other.color(j));
 
   b.type("i");
   EXPECT_EQ(b.stale(), Stale::Everything);
   b.finish();
-  EXPECT_NE(part(b.image(), picture), shown);
+  EXPECT_NE(b.part(picture), shown);
   InColors fresh{corrected()};
   EXPECT_EQ(b.palette(), fresh.palette());
-  EXPECT_EQ(part(b.image(), picture), part(fresh.image(), picture));
-  b.type("iT1");  // held, changed and left again: the table stays, as a setting does
-  b.finish();
+  EXPECT_EQ(b.part(picture), fresh.part(picture));
+  b.does("iT1");  // held, changed and left again: the table stays, as a setting does
   EXPECT_NE(b.setup().picture.table.kind, TableKind::Corrected);
   const ColorTable last{b.setup().picture.table};
   EXPECT_EQ(b.palette()[last.first()], last.color(0));
@@ -195,41 +175,42 @@ TEST(ColorsWindow, HeldIndicesStayWhenTheTableChanges) {
 TEST(ColorsWindow, PointerAndArrowsInspectCells) {
   InColors b;
   const ColorsLayout at = layoutIn(b);
-  const auto inspected = [&](int cell) {
+  const auto inspects = [&](int cell) {
+    const IndexImage before = b.aboveStatus();
     b.finish();
-    InColors other;
-    other.hover(at.grid.x + cell % 16 * at.pitch + 2, at.grid.y + cell / 16 * at.pitch + 2);
-    other.finish();
-    return withoutStatus(b) == withoutStatus(other);
+    return b.bench().inspected() == cell && b.aboveStatus() != before;
   };
-  b.hover(4 * 77 + 1, b.layout().strip.y + 30);
+  const Rect& strip = b.layout().strip;
+  b.hover(4 * 77 + 1, strip.y + 30);
   EXPECT_EQ(b.stale(), Stale::Everything);
-  EXPECT_TRUE(inspected(77));
-  EXPECT_FALSE(inspected(78));
-  b.hover(4 * 77 + 2, b.layout().strip.y + 31);
+  EXPECT_TRUE(inspects(77));
+  b.hover(4 * 77 + 2, strip.y + 31);
   EXPECT_EQ(b.stale(), Stale::Nothing);  // the same cell
-  b.press({NamedKey::Right});
-  EXPECT_TRUE(inspected(78));
-  b.press({NamedKey::Left, 0, true});
-  EXPECT_TRUE(inspected(68));
-  b.press({NamedKey::Up});
-  EXPECT_TRUE(inspected(52));
-  b.press({NamedKey::Down});
-  b.press({NamedKey::Down});
-  EXPECT_TRUE(inspected(84));
+  b.hover(at.grid.x + 13 * at.pitch + 2, at.grid.y + 2 * at.pitch + 2);
+  EXPECT_TRUE(inspects(45));
+  b.hover(4 * 77 + 1, strip.y + 30);
+  b.finish();
+  for (const auto& [name, shift, cell] : {std::tuple{NamedKey::Right, false, 78},
+                                          {NamedKey::Left, true, 68},
+                                          {NamedKey::Up, false, 52},
+                                          {NamedKey::Down, false, 68},
+                                          {NamedKey::Down, false, 84}}) {
+    b.press({name, 0, shift});
+    EXPECT_TRUE(inspects(cell)) << cell;
+  }
   b.hover(at.steps.x, at.steps.y + 5);
-  EXPECT_TRUE(inspected(84));  // what a key or a click chose stays
-  b.press({NamedKey::Escape});
+  EXPECT_EQ(b.bench().inspected(), 84);  // what a key or a click chose stays
+  b.press(NamedKey::Escape);
   b.hover(at.steps.x, at.steps.y + 5);
-  EXPECT_TRUE(inspected(11));
-  b.press({NamedKey::End});
-  EXPECT_TRUE(inspected(250));
+  EXPECT_TRUE(inspects(11));
+  b.press(NamedKey::End);
+  EXPECT_TRUE(inspects(250));
   for (int k = 0; k < 3; ++k) b.press({NamedKey::Right, 0, true});
-  EXPECT_TRUE(inspected(255));
-  b.press({NamedKey::Home});
-  EXPECT_TRUE(inspected(11));
-  for (int k = 0; k < 3; ++k) b.press({NamedKey::Up});
-  EXPECT_TRUE(inspected(11));
+  EXPECT_TRUE(inspects(255));
+  b.press(NamedKey::Home);
+  EXPECT_TRUE(inspects(11));
+  for (int k = 0; k < 3; ++k) b.press(NamedKey::Up);
+  EXPECT_EQ(b.bench().inspected(), 11);
 }
 
 // The inspected cell is lit as long as the key is held, also when another cell is inspected meanwhile. The
@@ -244,16 +225,16 @@ TEST(ColorsWindow, LightsWhatIsInspected) {
       if (b.palette()[cell] != start[cell]) cells.push_back(cell);
     return cells;
   };
-  b.press({NamedKey::Home});
+  b.press(NamedKey::Home);
   b.type("hh");  // a key that is held repeats
   EXPECT_EQ(lit(), std::vector<int>{11});
   EXPECT_EQ(b.palette()[11], kLit);
-  b.press({NamedKey::Right});
+  b.press(NamedKey::Right);
   EXPECT_EQ(lit(), std::vector<int>{12});
   b.release('h');
   EXPECT_TRUE(lit().empty());
-  b.press({NamedKey::Home});
-  b.press({NamedKey::Left});
+  b.press(NamedKey::Home);
+  b.press(NamedKey::Left);
   const IndexImage before = b.image();
   b.type("h");
   EXPECT_TRUE(lit().empty());
@@ -284,71 +265,119 @@ TEST(ColorsWindow, TheCurveIsDragged) {
   EXPECT_EQ(b.palette(), bent);
 }
 
-// If cells hold single colours, there is no ramp to move or bend. The window says so, and nothing changes. A
-// shade can be lit and gamma applied as elsewhere.
-TEST(ColorsWindow, SaysWhatNeedsARamp) {
+// The Mach bands in the window: which scanline is shown, and that a fresh start shows the same.
+
+// The scanline goes up and down by one row, or by ten with Shift, to both ends and no further.
+TEST(MachBandsView, TheScanlineMoves) {
+  InMachBands b;
+  const int start = b.markedRow(), first = b.shownPicture().y, last = first + b.shownPicture().height - 1;
+  ASSERT_GE(start, 0);
+  for (const auto& [name, shift, row] : {std::tuple{NamedKey::Up, false, start - 1},
+                                         {NamedKey::Down, true, start + 9},
+                                         {NamedKey::Left, true, start - 1},
+                                         {NamedKey::Home, false, first},
+                                         {NamedKey::Up, false, first},
+                                         {NamedKey::End, false, last}}) {
+    b.press(name, shift);
+    EXPECT_EQ(b.markedRow(), row);
+  }
+  b.press(NamedKey::Down);
+  EXPECT_GE(b.markedRow(), 0);
+}
+
+// In a window of another size the scanline crosses the scene at the same place.
+TEST(MachBandsView, TheScanlineKeepsItsPlace) {
+  InMachBands b{"teapot", 800, 600}, large{"teapot", 1600, 1200};
+  b.type("=116");  // of 232 rows
+  b.press(NamedKey::Return);
+  const std::optional<int> row = b.place().scanline;
+  b.resize(1600, 1200);
+  b.update();
+  large.type("=383");  // of 764
+  large.press(NamedKey::Return);
+  const auto above = [](const InMachBands& w) {
+    return w.part({w.shownPicture().x, w.markedRow() - 1, w.shownPicture().width, 1});
+  };
+  EXPECT_EQ(above(b), above(large));
+  b.resize(800, 600);
+  b.update();
+  EXPECT_EQ(b.place().scanline, row);
+}
+
+// At every height of the window the finding is whole: its box ends above the end of the body.
+TEST(MachBandsView, TheFindingIsWhole) {
   xnewell::Setup setup;
-  setup.picture.colors = ColorPlan::Cube;
-  InColors b{setup, "hues"};
-  const Palette start = b.palette();
-  const Rect plot = layoutIn(b).stored;
-  const IndexImage before = b.image();
-  b.type("m");
-  b.finish();
-  EXPECT_FALSE(b.moving());
-  EXPECT_EQ(b.palette(), start);
-  EXPECT_NE(b.image(), before);
-  EXPECT_FALSE(b.grab(plot.x + 50, plot.y + 50));
-  for (const char key : {'g', 'h'}) {
-    b.type({&key, 1});
-    b.finish();
-    EXPECT_NE(b.palette(), start);
-    b.press({NamedKey::Escape});
-    b.finish();
-    EXPECT_EQ(b.palette(), start);
+  setup.divisions = 8;  // the finding has a second sentence then
+  ReadyWorkbench b{setup, 1280, 540};
+  b.type("4");
+  for (int height = 540; height <= 1000; height += 30) {
+    b.resize(1280, height);
+    b.update();
+    const Rect& body = b.layout().body;
+    const int last = b.layout().strip.y - 1;
+    int white = 0, whiteAbove = 0;
+    for (int x = 900; x < 1270; ++x) {
+      white += b.image().row(last)[x] == b.plan()[Cell::White];
+      for (int y = body.y + body.height / 2; y < last; ++y)
+        whiteAbove += b.image().row(y)[x] == b.plan()[Cell::White];
+    }
+    EXPECT_EQ(white, 0) << height;
+    EXPECT_GT(whiteAbove, 20'000) << height;
   }
 }
 
-// Keys of controls that are not on the screen have no effect here: the setup stays.
-TEST(ColorsWindow, LettersBelongToTheScreen) {
-  InColors b;
-  const xnewell::Setup setup = b.setup();
-  b.type("SNOFPKLV[]+-ipadsncoltz");
-  b.press({NamedKey::Escape});
-  b.press({NamedKey::Tab});
-  b.zoom(1.1);
-  b.dragTo(5, 5);
-  EXPECT_EQ(b.setup(), setup);
-  b.type("T");
-  EXPECT_NE(b.setup(), setup);
-  b.type("u");
-  EXPECT_EQ(b.setup(), setup);
+// Dragged in the picture, the scanline stays under the pointer. On its slider it reaches both ends.
+TEST(MachBandsView, TheScanlineIsDragged) {
+  for (const auto& [w, h] : {std::pair{800, 600}, {1024, 768}, {1600, 1200}}) {
+    SCOPED_TRACE(w);
+    InMachBands b{"teapot", w, h};
+    const Rect at = b.shownPicture();
+    ASSERT_TRUE(b.grab(at.x + 50, at.y + 20));
+    for (const int y : {at.y + 20, at.y + at.height - 1, at.y + 7, at.y}) {
+      b.dragTo(at.x + 60, y);
+      b.update(true);
+      EXPECT_EQ(b.markedRow(), y);
+    }
+    b.dragTo(at.x, at.y - 300);
+    b.update(true);
+    EXPECT_EQ(b.markedRow(), at.y);
+    b.settle();
+    b.update();
+    EXPECT_EQ(b.stale(), Workbench::Stale::Nothing);
+  }
 }
 
-// A window too small for the view shows the picture, and keys act on the picture. At every larger size the
-// view is whole, and no server fills polygons over it.
-TEST(ColorsWindow, EverySizeShowsSomething) {
-  xnewell::Setup setup;
-  setup.fill = Fill::XFillPolygon;
-  ReadyWorkbench small{setup, 640, 480};
-  const IndexImage picture = small.image();
-  small.switchTo(View::Colors);
-  small.finish();
-  EXPECT_EQ(small.image(), picture);
-  EXPECT_TRUE(small.serverFills());
-  small.resize(800, 600);
-  EXPECT_FALSE(small.serverFills());
-  small.finish();
-  for (const auto& [w, h] : {std::pair{800, 600}, {801, 767}, {1024, 768}, {1600, 1200}, {3000, 700}}) {
-    SCOPED_TRACE(testing::Message() << w << " x " << h);
-    small.resize(w, h);
-    small.type("gm");
-    small.tick();
-    small.finish();
-    EXPECT_EQ(small.image().width, w);
-    EXPECT_EQ(small.image().height, h);
-    EXPECT_GT(std::ranges::count(small.image().pixels, CellPlan{}[Cell::Ink]), 4000);
-  }
+// The number of divisions is part of the setup. A change divides the scene again, and undo divides it as
+// before. The picture is that of a scene read with these divisions.
+TEST(MachBandsView, DivisionsAreUndone) {
+  InMachBands b;
+  const Palette palette = b.palette();
+  const std::size_t faces = b.picture().scene().mesh.firstCorner.size();
+  b.type("k");
+  b.press(NamedKey::End);
+  b.press(NamedKey::Home);
+  EXPECT_EQ(b.picture().scene().divisions, 1);
+  EXPECT_EQ(b.setup().divisions, 1);
+  b.does('1');
+  Workbench fresh{readScene("teapot", 1), {}, {}};
+  fresh.resize(1024, 768);
+  fresh.update();
+  EXPECT_EQ(b.part(b.layout().picture), partOf(fresh.image(), b.layout().picture));
+  b.does('u');
+  EXPECT_EQ(b.picture().scene().mesh.firstCorner.size(), faces);
+  EXPECT_EQ(b.palette(), palette);
+}
+
+// A scene of colours is shown in one hue here, and in its own colours in the other views.
+TEST(MachBandsView, SharesTheSetup) {
+  xnewell::Setup colours;
+  colours.picture.colors = ColorPlan::Cube;
+  ReadyWorkbench b{colours, 1024, 768, "hues"};
+  const IndexImage picture = b.part(b.layout().picture);
+  b.does('4');
+  EXPECT_EQ(b.picture().colors().plan(), ColorPlan::OneHue);
+  b.does('1');
+  EXPECT_EQ(b.part(b.layout().picture), picture);
 }
 
 }  // namespace xnewell::THIS_FILE

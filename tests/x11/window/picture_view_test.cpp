@@ -1,20 +1,19 @@
-#include "x11/window/picture_view.h"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <set>
 
 #include "tests/x11/support/ready_workbench.h"
 #include "tests/x11/support/staged_view.h"
 #include "x11/views/cell_facts.h"
+#include "x11/window/picture_view.h"
+#include "x11/window/setting_controls.h"
 
 namespace xnewell::THIS_FILE {
 
-// The controls under the pointer, and values that are typed.
-
 namespace {
-
-using Kind = Control::Kind;
 
 glm::dvec2 thumbsOf(const Workbench& b) {
   const Illumination& light = b.setup().picture.light;
@@ -30,42 +29,42 @@ const Control& withKey(const Controls& controls, char key) {
 Control controlOf(const Workbench& b, char key) { return withKey(b.bench().controls(), key); }
 glm::ivec2 middle(const Rect& r) { return {r.x + r.width / 2, r.y + r.height / 2}; }
 
-void click(ReadyWorkbench& b, glm::ivec2 at) {
-  (void)b.grab(at.x, at.y);
-  b.settle();
-  b.update();
+void click(ReadyWorkbench& b, glm::ivec2 at) { b.click(at.x, at.y); }
+
+/// The control of a key, which changes `setup`.
+Control controlOf(char key, xnewell::Setup& setup) {
+  return settingControl(key, setup, setup, [&setup](char, const auto& edit) { edit(setup); });
+}
+void stepBy(xnewell::Setup& setup, char key, int steps) {
+  const Control control = controlOf(key, setup);
+  control.set(stepped(control.range, control.value, steps));
+}
+/// The controls of all settings that have a track.
+Controls sliders() {
+  Controls all;
+  xnewell::Setup s;
+  for (const Setting& setting : settingRows())
+    if (setting.slider) all.push_back(controlOf(setting.control, s));
+  return all;
 }
 
 }  // namespace
 
-// No two controls share a pixel, all lie inside the column, and a click in the middle of each row finds the
-// control with its key. This holds at every size of window.
+// The controls under the pointer, and values that are typed.
+
+// Every setting has its place in the column of controls, at every size of window.
 TEST(ControlColumn, EveryControlHasItsPlace) {
   for (const auto& [w, h] :
        {std::pair{800, 540}, {800, 570}, {800, 599}, {800, 600}, {1023, 768}, {1024, 768}, {1600, 1200}}) {
     SCOPED_TRACE(w);
     const ReadyWorkbench b{{}, w, h};
-    const Layout& layout = b.layout();
-    const ControlColumn at = columnOf(b);
-    WindowView& bench = b.bench();
-    for (std::size_t p = 0; p < at.places.size(); ++p) {
-      const auto& [id, place] = at.places[p];
-      EXPECT_LE(place.area.y + place.area.height, layout.strip.y) << id.key;
-      EXPECT_GE(place.area.x, layout.controls.x);
-      EXPECT_LE(place.area.x + place.area.width, w);
-      const glm::ivec2 m = middle(place.area);
-      bench.hover(m.x, m.y);
-      const Controls controls = bench.controls();
-      const Control* const hit = bench.list().hovered(controls);
-      ASSERT_TRUE(hit);
-      EXPECT_EQ(hit->key, id.key);
-      for (std::size_t q = 0; q < p; ++q)
-        EXPECT_TRUE(intersection(place.area, at.places[q].second.area).empty()) << id.key;
-    }
-    for (const char key : {'l', 'P', 'W'}) EXPECT_TRUE(bench.list().find({key})) << key;
+    for (const auto& [id, place] : columnOf(b).places)
+      EXPECT_EQ(intersection(place.area, {b.layout().controls.x, 0, w, b.layout().strip.y}), place.area)
+          << id.key;
+    for (const char key : {'l', 'P', 'W'}) EXPECT_TRUE(b.bench().list().find({key})) << key;
     for (const Setting& row : settingRows()) {
       const bool hasRoom = row.section != Section::Hidden && !(h < 600 && row.control == 'R');
-      EXPECT_TRUE(!hasRoom || bench.list().find({row.control})) << row.label;
+      EXPECT_TRUE(!hasRoom || b.bench().list().find({row.control})) << row.label;
     }
   }
 }
@@ -106,7 +105,6 @@ TEST(PictureView, OpensWithSentencesThatAreButtons) {
     const ControlPlace* const place = b.bench().list().find({0, part});
     ASSERT_TRUE(place);
     click(b, middle(place->area));
-    b.finish();
     EXPECT_EQ(b.view(), view);
     EXPECT_EQ(b.setup() != b.defaults(), part <= 102);
     EXPECT_EQ(b.isAsking(), part == 104);
@@ -124,32 +122,6 @@ TEST(PictureView, OpensWithSentencesThatAreButtons) {
   EXPECT_FALSE(b.bench().list().find({0, 100}));
   b.does('D');
   EXPECT_TRUE(b.bench().list().find({'F'}));
-}
-
-// If the column is too low for its controls, the rows are closer together, and still none shares a pixel.
-TEST(ControlColumn, FitsALowerColumn) {
-  for (const auto& [w, h] : {std::pair{800, 600}, {1024, 768}}) {
-    SCOPED_TRACE(w);
-    const ReadyWorkbench b{{}, w, h};
-    Layout layout = b.layout();
-    const ControlColumn usual = columnOf(b);
-    const auto heightOf = [](const ControlColumn& column) {
-      const auto found =
-          std::ranges::find(column.places, ControlId{'a'}, [](const auto& one) { return one.first; });
-      return found->second.area.height;
-    };
-    const auto bottom = [](const ControlColumn& column) {
-      const Rect& last = column.places.back().second.area;
-      return last.y + last.height;
-    };
-    layout.controls.height = bottom(usual) - layout.controls.y - heightOf(usual);
-    const ControlColumn at = layoutOfControls(layout, b.bench().controls(), thumbsOf(b));
-    EXPECT_LT(heightOf(at), heightOf(usual));
-    EXPECT_LE(bottom(at), layout.controls.y + layout.controls.height);
-    for (std::size_t p = 0; p < at.places.size(); ++p)
-      for (std::size_t q = 0; q < p; ++q)
-        EXPECT_TRUE(intersection(at.places[p].second.area, at.places[q].second.area).empty());
-  }
 }
 
 // A slider goes where its thumb is dragged, and stops at its ends if the pointer goes beyond. A drag is one
@@ -178,23 +150,6 @@ TEST(PictureView, SlidersAreDragged) {
   }
 }
 
-// A click on the name of a slider gives it the keyboard and changes nothing.
-TEST(PictureView, NamesTakeTheKeyboard) {
-  xnewell::Setup setup;
-  setup.picture.table.kind = TableKind::Corrected;  // otherwise I0 is off
-  ReadyWorkbench b{setup};
-  const xnewell::Setup before = b.setup();
-  for (const Setting& row : settingRows()) {
-    if (!row.slider) continue;
-    const Rect place = placeOf(b, row.control).area;
-    EXPECT_FALSE(b.grab(place.x + 30, place.y + 5)) << row.label;
-    EXPECT_EQ(b.setup(), before);
-    b.press({NamedKey::End});
-    EXPECT_EQ(controlOf(b, row.control).value, row.slider->high) << row.label;
-    b.type("r");
-  }
-}
-
 // Ia and Ip push each other on one bar. Their sum never exceeds 1, wherever either thumb is dragged, and each
 // thumb follows the pointer.
 TEST(PictureView, IntensitiesPushEachOther) {
@@ -216,33 +171,6 @@ TEST(PictureView, IntensitiesPushEachOther) {
         EXPECT_GE(std::min(light().Ia, light().Ip), 0.0);
         EXPECT_NEAR(light().Ia + (key == 'p' ? light().Ip : 0), std::clamp(k / 100.0, 0.0, 1.0), 0.0051);
       }
-}
-
-// A click on an option chooses it. A click on the name of its row chooses the next one.
-TEST(PictureView, OptionsAreClicked) {
-  ReadyWorkbench b;
-  int taken = 0;
-  const Controls controls = b.bench().controls();
-  for (const Control& row : controls) {
-    if (row.kind != Kind::Choice || !b.bench().list().find(row.id())) continue;
-    const ControlPlace place = placeOf(b, row.key);
-    const auto now = [&] { return static_cast<int>(controlOf(b, row.key).value); };
-    for (int k = 0; k < static_cast<int>(row.options.size()); ++k) {
-      SCOPED_TRACE(row.label);
-      b.type("r");
-      click(b, middle(place.options[k]));
-      if (row.key == 'F' && k == 0) {
-        EXPECT_EQ(b.setup().fill, Fill::XFillPolygon);
-      }
-      EXPECT_EQ(now(), k);
-      ++taken;
-    }
-    const auto next = controlOf(b, row.key).next;
-    const int due = next ? static_cast<int>(*next) : (now() + 1) % static_cast<int>(row.options.size());
-    click(b, {place.area.x + 30, place.area.y + 5});
-    EXPECT_EQ(now(), due);
-  }
-  EXPECT_GT(taken, 20);
 }
 
 // Toggles and buttons do what their keys do.
@@ -282,34 +210,6 @@ TEST(PictureView, TheLightIsDragged) {
   }
 }
 
-// The control under the pointer looks different, and as before when the pointer leaves.
-TEST(PictureView, HoverShowsAndPasses) {
-  ReadyWorkbench b;
-  const auto aboveStatus = [&] {  // the status line tells times
-    const std::uint8_t* const pixels = b.image().pixels.data();
-    return std::vector<std::uint8_t>(pixels, pixels + std::ptrdiff_t{1024} * b.layout().status.y);
-  };
-  const std::vector<std::uint8_t> before = aboveStatus();
-  int shown = 0;
-  const Controls controls = b.bench().controls();
-  for (const auto& [id, place] : columnOf(b).places) {
-    const Kind kind = std::ranges::find(controls, id, &Control::id)->kind;
-    if (std::string_view{"lipoR"}.find(id.key) != std::string_view::npos) continue;
-    SCOPED_TRACE(id.key);
-    const glm::ivec2 m = kind == Kind::Choice ? middle(place.options.back()) : middle(place.area);
-    if (kind == Kind::Choice && id.key != 'O' && id.key != 'T')
-      continue;  // the last option is chosen already
-    b.hover(m.x, m.y);
-    b.update();
-    EXPECT_NE(aboveStatus(), before);
-    b.hover(300, 300);
-    b.update();
-    EXPECT_EQ(aboveStatus(), before);
-    ++shown;
-  }
-  EXPECT_GT(shown, 10);
-}
-
 // q is no part of a number, and no key of the window while something is typed. The close button acts even
 // then.
 TEST(PictureView, QIsNoKeyWhileAValueIsTyped) {
@@ -343,19 +243,95 @@ TEST(PictureView, TheStripIsOfWhatIsShown) {
   }
 }
 
-// What the scene has of its own cannot be changed, so its controls are off, and the caption has the shades
-// that each hue has.
-TEST(PictureView, WhatTheSceneHasIsOff) {
-  ReadyWorkbench own{{}, 1024, 768, "spotlight"}, usual;
-  for (const char key : {'l', 'i', 'p'}) {
-    EXPECT_TRUE(withKey(usual.bench().controls(), key).enabled()) << key;
-    EXPECT_EQ(withKey(own.bench().controls(), key).enabled(), key != 'i') << key;
+// Ia and Ip push each other: their sum never exceeds 1, and pushing back leaves no dust.
+TEST(Controls, IntensitiesPushEachOther) {
+  xnewell::Setup s;
+  for (int k = 0; k <= 100; ++k) {
+    controlOf('i', s).set(k / 100.0);
+    ASSERT_LE(s.picture.light.Ia + s.picture.light.Ip, 1.0);
+    ASSERT_EQ(s.picture.light.Ia, k / 100.0);
   }
-  const ReadyWorkbench hues{{}, 1024, 768, "hues"};
-  const std::size_t ramps = hues.picture().colors().tables().size();
-  const std::string each = std::to_string(hues.picture().colors().tables().front().shades());
-  EXPECT_TRUE(shadesText(hues.picture()).starts_with(each + " ")) << shadesText(hues.picture());
-  EXPECT_TRUE(shadesText(hues.picture()).ends_with("for each of " + std::to_string(ramps) + " hues"));
+  EXPECT_EQ(s.picture.light.Ip, 0.0);
+  controlOf('p', s).set(0.3);
+  EXPECT_EQ(s.picture.light.Ia, 0.7);
+  controlOf('p', s).set(0.1);
+  EXPECT_EQ(s.picture.light.Ia, 0.7);  // with room to spare nobody is pushed
+}
+
+// A control of a setting has the setting's own words, and acts on it alone.
+TEST(Controls, AreRowsOfSettings) {
+  std::size_t controls = 0;
+  for (const Setting& setting : settingRows()) {
+    if (setting.control == 0) continue;
+    SCOPED_TRACE(setting.option);
+    ++controls;
+    xnewell::Setup s;
+    const Control control = controlOf(setting.control, s);
+    EXPECT_EQ(control.is, setting.is);
+    if (setting.key == "fill") continue;
+    const Value before = setting.field.get(s.picture);
+    if (control.kind == Control::Kind::Slider)
+      control.set(stepped(control.range, control.value, control.value == control.range.high ? -1 : 1));
+    else
+      activate(control);
+    EXPECT_NE(setting.field.get(s.picture), before);
+    setting.field.set(s.picture, before);
+    EXPECT_EQ(s, xnewell::Setup{});
+  }
+  const xnewell::Setup s;
+  EXPECT_EQ(controls + 2, settingControls(s, s, {}, readScene("teapot")).size());  // with P and W
+}
+
+// A slider's steps lead from end to end and back. Every step moves it, and it stays in its range; whole
+// numbers stay whole.
+TEST(Controls, StepsReachBothEnds) {
+  for (const Control& row : sliders()) {
+    SCOPED_TRACE(row.key);
+    xnewell::Setup s;
+    const auto now = [&] { return controlOf(row.key, s).value; };
+    s.picture.light.Ia = s.picture.light.Ip = 0;
+    s.picture.table.kind = TableKind::Corrected;
+    controlOf(row.key, s).set(row.range.low);
+    int steps = 0;
+    for (double before = -1; now() != before && steps < 5000; ++steps) {
+      before = now();
+      stepBy(s, row.key, 1);
+      ASSERT_GE(now(), before);
+      ASSERT_TRUE((row.key != 'n' && row.key != 'c') || now() == std::round(now()));
+    }
+    EXPECT_EQ(now(), row.range.high);
+    EXPECT_GT(steps, 50);
+    stepBy(s, row.key, -100'000);
+    EXPECT_EQ(now(), row.range.low);
+  }
+}
+
+// Azimuth and elevation, worked by hand: the default light comes from the upper left. Turns by degrees add
+// up, stop at the zenith and wrap at 180. A point light turns about the scene's centre and keeps its
+// distance.
+TEST(Controls, LightAngles) {
+  for (const UpAxis up : {UpAxis::Y, UpAxis::Z}) {
+    Light light;
+    light.direction = up == UpAxis::Z ? glm::dvec3{-1, -1, 0} : glm::dvec3{-1, 0, 1};
+    const auto expectAngles = [&](double azimuth, double elevation, double bound) {
+      EXPECT_NEAR(lightAngles(light, up).azimuth, azimuth, bound);
+      EXPECT_NEAR(lightAngles(light, up).elevation, elevation, bound);
+    };
+    expectAngles(-45, 0, 1e-12);
+    turnLight(light, up, 60, 30);
+    expectAngles(15, 30, 1e-9);
+    turnLight(light, up, 170, 0);
+    expectAngles(-175, 30, 1e-9);
+    turnLight(light, up, 0, 500);
+    EXPECT_NEAR(lightAngles(light, up).elevation, 90, 1e-6);
+  }
+  Light light{.kind = LightKind::Point};
+  const glm::dvec3 centre{1, 2, 3};
+  light.position = centre + glm::dvec3{0, -4, 3};
+  EXPECT_NEAR(lightAngles(light, UpAxis::Z, centre).azimuth, 0, 1e-12);
+  turnLight(light, UpAxis::Z, 90, 0, centre);
+  EXPECT_NEAR(glm::distance(light.position, centre), 5, 1e-12);
+  EXPECT_NEAR(lightAngles(light, UpAxis::Z, centre).azimuth, 90, 1e-9);
 }
 
 }  // namespace xnewell::THIS_FILE
