@@ -1,15 +1,22 @@
-#include "x11/views/colors_page.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "shading/picture/cell_use.h"
+#include "shading/picture/palette_effects.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/seeds.h"
+#include "tests/x11/support/ready_workbench.h"
+#include "x11/views/cell_facts.h"
 #include "x11/views/color_strip.h"
+#include "x11/views/colors_page.h"
+#include "x11/views/plot.h"
+#include "x11/views/table_curves.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -51,11 +58,48 @@ struct Shown {
   CellUse use;
 };
 Shown shownIn(const IndexImage& view, const ColorsLayout& at) {
-  Shown shown{IndexImage{at.picture.width, at.picture.height, 0}, {}};
-  for (int j = 0; j < at.picture.height; ++j)
-    std::copy_n(view.row(at.picture.y + j) + at.picture.x, at.picture.width, shown.image.row(j));
-  shown.use = cellUse(shown.image);
-  return shown;
+  const IndexImage image = partOf(view, at.picture);
+  return {image, cellUse(image)};
+}
+
+/// The numbers in a text like `0.1868 <= I < 0.1899`, if it has them, and how many decimals they have.
+struct Interval {
+  double from = -1, to = -1;
+  int decimals = 0;
+};
+Interval parsed(const std::string& text) {
+  Interval interval;
+  const auto number = [&](std::size_t at) {
+    double v = 0;
+    const char* const end = std::from_chars(text.data() + at, text.data() + text.size(), v).ptr;
+    interval.decimals = static_cast<int>(end - text.data() - at) - 2;
+    return v;
+  };
+  if (text[0] != 'I') interval.from = number(0);
+  if (const std::size_t less = text.find("I < "); less != std::string::npos) interval.to = number(less + 4);
+  return interval;
+}
+
+std::string valueOf(const std::vector<CellFact>& facts, std::string_view label) {
+  const auto fact = std::ranges::find(facts, label, &CellFact::label);
+  return fact == facts.end() ? "" : fact->value;
+}
+
+struct Made {
+  Picture picture;
+  CellUse use;
+  Palette palette;
+  CellPlan plan;
+};
+Made made(const char* scene, ColorPlan colors, const TableSettings& table) {
+  PictureSettings s;
+  s.width = 320, s.height = 240;
+  s.shading = Shading::Gouraud;
+  s.colors = colors;
+  s.table = table;
+  const CellPlan plan{table.kind};
+  const Picture picture = makePicture(readScene(scene, 8), s, plan[Cell::Well]);
+  return {picture, cellUse(picture.image(), picture.faceImage()), picture.palette(plan), plan};
 }
 
 }  // namespace
@@ -88,60 +132,6 @@ TEST(ColorsLayout, PartsDoNotMeet) {
       EXPECT_EQ(cellInGrid(at, at.grid.x + cell % 16 * at.pitch, at.grid.y + cell / 16 * at.pitch), cell);
     EXPECT_FALSE(cellInGrid(at, at.grid.x - 1, at.grid.y) ||
                  cellInGrid(at, at.grid.x + at.grid.width, at.grid.y));
-  }
-}
-
-// A line whose options do not fit beside each other has as many rows as they need. The next line begins below
-// them: each option is hit where it is drawn, and nothing is drawn over it.
-TEST(ColorsLayout, LinesKeepApart) {
-  const Control wide{.kind = Control::Kind::Choice,
-                     .label = "table",
-                     .options = {"brief", "linear", "corrected", "squared", "cubed"}},
-      next{.kind = Control::Kind::Choice, .label = "stored", .options = {"8 bits", "16 bits"}};
-  PictureCache pictures{readScene("teapot", 2)};
-  for (const auto& [w, h] : {std::pair{736, 428}, {992, 612}}) {
-    SCOPED_TRACE(testing::Message() << w << " x " << h);
-    const ColorsLayout at = layoutOfColors({16, 16, w, h});
-    PictureSettings settings;
-    settings.width = at.picture.width, settings.height = at.picture.height;
-    const CellPlan plan{settings.table.kind};
-    const Picture picture = pictures.make(settings, plan[Cell::Well]);
-    const Palette palette = picture.palette(plan);
-    const CellUse use = cellUse(picture.image());
-    const std::vector<Curve> steps = stepsSeen(picture, palette, plan, {});
-    const auto drawn = [&](const std::vector<Control>& lines) {
-      IndexImage image{w + 32, h + 32, plan[Cell::Paper]};
-      drawColorsPage(image, at,
-                     {.picture = picture,
-                      .palette = palette,
-                      .steps = steps,
-                      .plan = plan,
-                      .use = use,
-                      .aside = "",
-                      .lines = lines,
-                      .hint = ""});
-      return image;
-    };
-    const IndexImage none = drawn({}), first = drawn({wide}), both = drawn({wide, next});
-    const RowStyle style = tableStyle(at, false);
-    const ControlPlace above = placeInRow(wide, at.table.x, firstTableLine(at), style);
-    const ControlPlace below = placeInRow(next, at.table.x, firstTableLine(at) + above.area.height, style);
-    ASSERT_EQ(above.options.size(), 5u);
-    ASSERT_EQ(below.options.size(), 2u);
-    int ofWide = 0, ofNext = 0;
-    for (int y = at.table.y; y < at.table.y + at.table.height; ++y)
-      for (int x = at.table.x; x < at.table.x + at.table.width; ++x) {
-        const bool inWide = first.row(y)[x] != none.row(y)[x], inBoth = both.row(y)[x] != none.row(y)[x];
-        if (inWide) {
-          ASSERT_EQ(both.row(y)[x], first.row(y)[x]);
-          ASSERT_FALSE(below.area.has(x, y)) << x << ", " << y;
-        } else if (inBoth) {
-          ASSERT_FALSE(above.area.has(x, y)) << x << ", " << y;
-        }
-        ofWide += inWide, ofNext += inBoth && !inWide;
-      }
-    EXPECT_GT(ofWide, 500);
-    EXPECT_GT(ofNext, 200);
   }
 }
 
@@ -210,22 +200,6 @@ TEST(ColorsView, PaintsNothingWithFreeCells) {
   for (int cell = 51; cell <= 250; ++cell) ASSERT_EQ(countIn(view, {0, 0, 1024, 768}, cell), 0) << cell;
 }
 
-// A longer bar stands for more samples.
-TEST(ColorStrip, BarsGrowWithTheUse) {
-  CellUse use;
-  for (int cell = 0; cell < 256; ++cell) use.samples[cell] = cell * cell;
-  IndexImage image{1024, 60, 2};
-  drawColorStrip(Painter{image}, {0, 0, 1024, 60}, CellPlan{}, use, {.rule = "", .shortRule = ""}, false);
-  int before = 0;
-  for (int cell = 0; cell < 256; ++cell) {
-    const int bar = countIn(image, {4 * cell, 0, 3, 20}, CellPlan{}[Cell::Ink]) / 3;
-    EXPECT_GE(bar, before);
-    EXPECT_EQ(cellInStrip({0, 0, 1024, 60}, 4 * cell + 2, 30), cell);
-    before = bar;
-  }
-  EXPECT_GE(before, 15);
-}
-
 // The view shows what is stored, in the inspected cell too. If that cell is lit, its palette entry changes,
 // and exactly its samples in the small picture change. The small picture is the picture at that size.
 TEST(ColorsView, LightsWhatIsAskedFor) {
@@ -243,26 +217,6 @@ TEST(ColorsView, LightsWhatIsAskedFor) {
   const IndexImage alone = pictures.last().paint(s.cells[Cell::Well]).image;
   EXPECT_EQ(shownIn(view.image, at).image, alone);
   EXPECT_GT(std::ranges::count(alone.pixels, cell), 20);
-}
-
-// --cell chooses the inspected cell, which may be one of the tool's. Without --cell, --lit chooses it.
-TEST(ColorsView, InspectsWhatIsAskedFor) {
-  PictureCache pictures{readScene("teapot", 3)};
-  ViewSettings s = settingsOf(768, 560);
-  const IndexImage usual = drawView(pictures, s).image;
-  for (const int cell : {0, 8, 20, 255}) {
-    s.cell = cell;
-    const ColoredImage shown = drawView(pictures, s);
-    EXPECT_EQ(shown.palette, pictures.last().palette(s.cells));
-    EXPECT_NE(shown.image, usual);
-  }
-  s.cell = 20;
-  s.effects.lit = 20;
-  const IndexImage twenty = drawView(pictures, s).image;
-  s.cell.reset();
-  EXPECT_EQ(drawView(pictures, s).image, twenty);
-  s.cell = 21;
-  EXPECT_NE(drawView(pictures, s).image, twenty);
 }
 
 // Words next to the inspected cell's point hide no part of any curve. If one curve covers the whole plot, as
@@ -296,32 +250,229 @@ TEST(ColorsView, WordsStandBesideTheCurves) {
     }
 }
 
-// Effects change colours and the words about them, but not the cells of the picture, of the grid's marks or
-// of the strip.
-TEST(ColorsView, EffectsLeaveIndicesAlone) {
-  PictureCache pictures{readScene("teapot", 4)};
-  ViewSettings s = settingsOf(800, 600);
-  s.cell = 100;
-  const ColoredImage plain = drawView(pictures, s);
-  const ColorsLayout at = layoutOfView(800, 600);
-  for (const PaletteEffects& effects :
-       {PaletteEffects{.stored = TableKind::Corrected}, PaletteEffects{.hueTurn = 90},
-        PaletteEffects{.gamma = 0.5}, PaletteEffects{.bend = CurvePoint{90, 10}},
-        PaletteEffects{.rotate = -3}}) {
-    s.effects = effects;
-    const ColoredImage changed = drawView(pictures, s);
-    EXPECT_NE(changed.palette, plain.palette);
-    EXPECT_EQ(shownIn(changed.image, at).image, shownIn(plain.image, at).image);
-    for (int j = 0; j < 600; ++j) {
-      const bool inGrid = j < at.grid.y + at.grid.height;
-      const bool inStrip = j >= 600 - kStripAndFoot && j < 600 - 28;
-      ASSERT_TRUE(std::equal(plain.image.row(j),
-                             plain.image.row(j) + (inStrip  ? 800
-                                                   : inGrid ? 320
-                                                            : 0),
-                             changed.image.row(j)))
-          << j;
+// The strip's rule for the cells is true for every hue, and the strip says when the colours were changed.
+TEST(ColorStrip, SaysWhatTheCellsHold) {
+  for (const glm::dvec3 hue : {glm::dvec3{1, 0, 0}, glm::dvec3{1, 0.7, 0.2}}) {
+    PictureCache pictures{readScene("teapot", 3)};
+    PictureSettings s;
+    s.width = 80, s.height = 60;
+    s.table.hue = hue;
+    pictures.make(s);
+    EXPECT_EQ(wordsOf(pictures.last()).rule, "linear: cell i holds (i - 10)/255 of the hue");
+    const Palette palette = pictures.last().palette(CellPlan{});
+    for (int i = 11; i <= 250; ++i) {
+      const glm::dvec3 said = (i - 10) / 255.0 * 65535.0 * hue;
+      EXPECT_NEAR(palette[i].r, said.r, 1.0);
+      EXPECT_NEAR(palette[i].g, said.g, 1.0);
+      EXPECT_NEAR(palette[i].b, said.b, 1.0);
     }
+    EXPECT_EQ(wordsOf(pictures.last(), {.rotate = 60}).rule, "linear, changed");
+    EXPECT_EQ(wordsOf(pictures.last(), {.gamma = 1.8}).rule, "linear, changed");
+    EXPECT_EQ(wordsOf(pictures.last(), {.stored = TableKind::Corrected}).rule,
+              "indices of linear, colours of corrected");
+    EXPECT_EQ(wordsOf(pictures.last(), {.lit = 40}).rule, wordsOf(pictures.last()).rule);
+  }
+}
+
+// The printed ends of a cell's interval are right, for every shade of every table. Numbers with the printed
+// decimals pick the cell if and only if they are at least the first end and below the second.
+TEST(CellFacts, TheIntervalPicksExactlyThatShade) {
+  int checked = 0;
+  for (const TableRow& row : kTables)
+    for (const int shades : {2, 3, 17, 64, 240})
+      for (const double I0 : {1e-6, 0.02, 0.5})
+        for (const PickRow& pick : kPicks) {
+          const ColorTable table{{.kind = row.id, .shades = shades, .I0 = I0, .pick = pick.id}};
+          for (int j = 0; j < shades; ++j) {
+            const std::string text = pickedText(table, j);
+            SCOPED_TRACE(std::string{row.name} + ' ' + std::to_string(shades) + ' ' + text);
+            const auto [from, to, decimals] = parsed(text);
+            ASSERT_GE(decimals, 4);
+            const double unit = std::pow(10, -decimals);
+            ASSERT_EQ(from < 0, j == 0);
+            ASSERT_EQ(to < 0, j == shades - 1);
+            if (j > 0) {
+              ASSERT_EQ(table.shade(from), j);
+              ASSERT_LT(table.shade(from - unit * (1 - 1e-9)), j);
+            }
+            if (j < shades - 1) {
+              ASSERT_GT(table.shade(to), j);
+              ASSERT_EQ(table.shade(to - unit * (1 - 1e-9)), j);
+            }
+            ++checked;
+          }
+        }
+  EXPECT_GT(checked, 5'000);
+}
+
+// Every cell has facts in every plan, and as many users as were counted. The tool's cells say what they are
+// for, and free cells say that nothing needs them.
+TEST(CellFacts, EveryCellHasSome) {
+  int used = 0;
+  for (const auto& [scene, plan] : kPlans) {
+    const Made m = made(scene, plan, {.shades = 100});
+    int tools = 0, free = 0;
+    for (int cell = 0; cell < 256; ++cell) {
+      const std::vector<CellFact> facts = factsOf(cell, m.picture, m.palette, m.plan, m.use);
+      EXPECT_GE(facts.size(), 3u);
+      EXPECT_LE(facts.size(), 7u);
+      const std::string holds = valueOf(facts, "holds"), users = valueOf(facts, "used by");
+      tools += holds.starts_with("the tool's own: ");
+      free += holds == "nothing of ours: a free cell";
+      if (!sceneCells(m.picture).has(cell)) continue;
+      const int n = m.use.samples[cell], p = m.use.polygons[cell];
+      if (n == 0) {
+        EXPECT_EQ(users, "no sample");
+      } else if (n > 1 && n < 1000 && p > 1) {
+        EXPECT_EQ(users, std::to_string(n) + " samples, " + std::to_string(p) + " polygons");
+        ++used;
+      }
+    }
+    EXPECT_EQ(tools, kCells);
+    EXPECT_EQ(free, 240 - sceneCells(m.picture).count);
+  }
+  EXPECT_GT(used, 50);
+}
+
+// Known values: of the 240 levels of `corrected`, with the quotient 1.01650299..., 240 are distinct at 16
+// bits and 144 at 8 bits. A linear table of 240 has 240 distinct levels at either.
+TEST(TableCurves, CountDistinctLevels) {
+  const TableSettings corrected{.kind = TableKind::Corrected};
+  EXPECT_EQ(distinctLevels(corrected, 16), 240);
+  EXPECT_EQ(distinctLevels(corrected, 8), 144);
+  EXPECT_EQ(distinctLevels({.kind = TableKind::Linear}, 8), 240);
+  EXPECT_NEAR(ratioOf(ColorTable{corrected}), 1.01650299, 5e-9);
+  EXPECT_NEAR(std::pow(ratioOf(ColorTable{{.kind = TableKind::Corrected, .shades = 64, .I0 = 0.1}}), 63), 10,
+              1e-9);
+}
+
+// What is told is counted from what is stored. A bent curve has fewer levels at 8 bits, and a table of 8 bits
+// has no more at 16. This test collects the red values one by one.
+TEST(TableCurves, CountStoredLevels) {
+  for (const int bits : {8, 16}) {
+    const Picture picture =
+        made("teapot", ColorPlan::OneHue, {.kind = TableKind::Corrected, .bits = bits}).picture;
+    const CellPlan plan{TableKind::Corrected};
+    const Palette plain = picture.palette(plan);
+    const Palette bent = withEffects(plain, picture, plan, {.bend = CurvePoint{200, 20}});
+    const auto told = [&](const Palette& stored) {
+      std::set<int> all, eight;
+      for (int cell = picture.table().first(); cell < picture.table().first() + 240; ++cell) {
+        all.insert(stored[cell].r);
+        eight.insert((stored[cell].r + 128) / 257);
+      }
+      return std::to_string(all.size()) + " of 240 stored levels distinct, " + std::to_string(eight.size()) +
+             " at 8 bits   the eye sees 0 of 0 steps";
+    };
+    for (const Palette& stored : {plain, bent})
+      EXPECT_EQ(levelsText(picture, stored, {}).substr(std::string{"r = 1.01650299   "}.size()),
+                told(stored));
+    EXPECT_EQ(told(plain).substr(0, 4), bits == 8 ? "144 " : "240 ");
+    EXPECT_NE(told(plain), told(bent));
+  }
+}
+
+// With one hue there is a curve for each table, over the cells that the table would fill. No curve falls. The
+// chosen table's curve is what the palette holds.
+TEST(TableCurves, OneForEachTable) {
+  for (const TableRow& row : kTables)
+    for (const int shades : {2, 64, 240}) {
+      SCOPED_TRACE(std::string{row.name} + ' ' + std::to_string(shades));
+      const Picture picture = made("teapot", ColorPlan::OneHue, {.kind = row.id, .shades = shades}).picture;
+      const Palette palette = picture.palette(CellPlan{row.id});
+      const std::vector<Curve> curves = storedCurves(picture, palette);
+      ASSERT_EQ(curves.size(), kTables.size());
+      for (const Curve& curve : curves) {
+        EXPECT_EQ(curve.chosen, curve.name == row.name);
+        ASSERT_EQ(static_cast<int>(curve.y.size()), shades);
+        EXPECT_TRUE(std::ranges::is_sorted(curve.y));
+        const auto of = std::ranges::find(kTables, curve.name, &TableRow::name);
+        ASSERT_NE(of, kTables.end());
+        EXPECT_EQ(curve.first, of->first);
+        const ColorTable table{{.kind = of->id, .shades = shades}};
+        for (int j = 0; j < shades; ++j) EXPECT_NEAR(curve.y[j], 255 * table.level(j), 0.5 / 257 + 1e-9);
+      }
+    }
+}
+
+// Colours that no table gives are named so, and the table is shown for comparison.
+TEST(TableCurves, NameWhatIsStored) {
+  const Picture picture = made("teapot", ColorPlan::OneHue, {.kind = TableKind::Corrected}).picture;
+  const CellPlan plan{TableKind::Corrected};
+  const std::vector<Curve> curves =
+      storedCurves(picture, withEffects(picture.palette(plan), picture, plan, {.gamma = 2.2}));
+  ASSERT_EQ(curves.size(), 4u);
+  EXPECT_EQ(curves[0].name, "as stored");
+  EXPECT_EQ(std::ranges::count(curves, true, &Curve::chosen), 1);
+  EXPECT_EQ(std::ranges::count(curves, "corrected", &Curve::name), 1);
+}
+
+// The lower plot shows this: every step of `corrected` is r, up to the rounding to 16 bits, and above what
+// the eye can see. The steps of `linear` fall from 100 % to less than that.
+TEST(TableCurves, StepsOfTheCorrectedTableAreEqual) {
+  const TableSettings corrected{.kind = TableKind::Corrected};
+  const Picture picture = made("teapot", ColorPlan::OneHue, corrected).picture;
+  const Palette palette = picture.palette(CellPlan{TableKind::Corrected});
+  const double r = 100 * (ratioOf(ColorTable{corrected}) - 1);
+  for (const Curve& curve : stepCurves(picture, palette)) {
+    SCOPED_TRACE(curve.name);
+    EXPECT_TRUE(std::isnan(curve.y.back()));
+    if (curve.name == "corrected") {
+      for (int j = 0; j + 1 < 240; ++j) {
+        // Each value is off by at most half a unit of 65535.
+        const double rounding = 100 * 1.02 / (65535 * ColorTable{corrected}.level(j));
+        ASSERT_NEAR(curve.y[j], r, rounding) << j;
+        ASSERT_GT(curve.y[j], kSeenStep);
+      }
+    } else {
+      const std::size_t first = curve.name == "brief";  // this one begins with black
+      EXPECT_EQ(std::isnan(curve.y[0]), first == 1);
+      EXPECT_NEAR(curve.y[first], 100, 1e-9);
+      EXPECT_NEAR(curve.y[238], 100.0 / 239, 0.01);
+    }
+  }
+}
+
+// With several hues, each has a curve, and nothing is shown for comparison. With single colours, the curve is
+// their luminance, and the lower plot shows each colour's distance to its nearest neighbour, which is at
+// least that neighbour's own.
+TEST(TableCurves, OtherPlansShowWhatIsTrueOfThem) {
+  const Picture hues = made("hues", ColorPlan::Hues, {}).picture;
+  EXPECT_EQ(storedCurves(hues, hues.palette(CellPlan{})).size(), 7u);
+  EXPECT_EQ(stepCurves(hues, hues.palette(CellPlan{})).size(), 7u);
+
+  const Picture cube = made("hues", ColorPlan::Cube, {}).picture;
+  const Palette palette = cube.palette(CellPlan{});
+  const std::vector<Curve> stored = storedCurves(cube, palette), steps = stepCurves(cube, palette);
+  ASSERT_EQ(stored.size(), 2u);
+  EXPECT_EQ(stored[0].y.front(), 0);
+  EXPECT_NEAR(stored[0].y.back(), 255, 1e-9);
+  for (int k = 0; k < 240; ++k) EXPECT_LE(stored[0].y[k], stored[1].y[k] + 1e-9);
+  ASSERT_EQ(steps.size(), 1u);
+  for (const double y : steps[0].y) EXPECT_GT(y, 0);
+}
+
+// Ticks go from below the least value to above the largest, and are 1 or 3 times a power of ten.
+TEST(Plot, LogarithmicTicksHoldTheRange) {
+  for (const auto& [least, most] : {std::pair{0.3, 100.0}, {0.29, 101.0}, {0.03, 2.0}, {1.0, 1e4}}) {
+    const std::vector<double> ticks = logarithmicTicks(least, most);
+    EXPECT_LE(ticks.front(), least * (1 + 1e-8));
+    EXPECT_GE(ticks.back(), most);
+    EXPECT_TRUE(std::ranges::is_sorted(ticks));
+    for (std::size_t k = 1; k < ticks.size(); ++k) {
+      const double ratio = ticks[k] / ticks[k - 1];
+      EXPECT_TRUE(std::abs(ratio - 3) < 1e-9 || std::abs(ratio - 10.0 / 3) < 1e-9) << ratio;
+    }
+  }
+}
+
+// If there is room, every cell has its own column, and the column leads back to the cell.
+TEST(Plot, ColumnsLeadBackToCells) {
+  const Rect area{480, 40, 460, 170};
+  for (const int count : {1, 2, 64, 240}) {
+    const Plot plot{.cells = {11, count}, .ticks = {0, 255}, .curves = {}};
+    for (int cell = 11; cell < 11 + count; ++cell)
+      EXPECT_EQ(cellAtX(plot.cells, area, plotX(plot, area, cell)), cell);
   }
 }
 

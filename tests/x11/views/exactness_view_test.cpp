@@ -1,12 +1,34 @@
-#include "x11/views/exactness_view.h"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "depthsort/fragment_spans.h"
+#include "depthsort/oracle.h"
+#include "geometry/model/solids.h"
+#include "shading/laboratory/ground_truth.h"
 #include "shading/picture/picture_cache.h"
+#include "tests/support/model_view.h"
+#include "x11/views/difference.h"
+#include "x11/views/exactness_view.h"
+#include "x11/views/overdraw.h"
+#include "x11/views/wireframe.h"
 
 namespace xnewell::THIS_FILE {
 
 namespace {
+
+PictureSettings fromAbove(Order order) {
+  PictureSettings s;
+  s.width = s.height = 100;
+  s.order = order;
+  s.camera.eye = glm::dvec3{0, 0, 20};
+  s.camera.lookAt = glm::dvec3{0, 0, 0};
+  s.camera.parallel = true;
+  s.camera.height = 10.0;
+  return s;
+}
 
 /// A square of side 2 at z = 0, and one over it that rises from `left` to `right`, from a file whose
 /// coordinates are rounded by 1e-5. Seen from above, 50 pixels to the unit.
@@ -19,14 +41,8 @@ Exactness ofSheets(double left, double right, Order order, IndexImage* map = nul
   mesh.addFace(std::array{0, 1, 2, 3}, 0);
   mesh.addFace(std::array{4, 5, 6, 7}, 0);
   PictureCache pictures{makeScene("sheets", mesh, UpAxis::Y)};
-  PictureSettings s;
-  s.width = s.height = 100;
-  s.order = order;
-  s.cull = Cull::Keep;
-  s.camera.eye = glm::dvec3{0, 0, 20};
-  s.camera.lookAt = glm::dvec3{0, 0, 0};
-  s.camera.parallel = true;
-  s.camera.height = 2.0;
+  PictureSettings s = fromAbove(order);
+  s.cull = Cull::Keep, s.camera.height = 2.0;
   pictures.make(s);
   const std::vector<SampleCheck> verdicts = checkedSamples(pictures.last());
   if (map) *map = verdictImage(verdicts, 100, CellPlan{});
@@ -39,6 +55,66 @@ PictureSettings of(Order order, Cull cull = Cull::Keep) {
   s.order = order, s.cull = cull;
   s.width = 90, s.height = 50;
   return s;
+}
+
+/// Squares of side 2 in planes of constant z, seen along z, ten pixels to the unit.
+Scene squares(const std::vector<glm::dvec3>& centres) {
+  Mesh mesh;
+  mesh.groupNames = {""};
+  for (const glm::dvec3& c : centres) {
+    std::vector<int> face;
+    for (const glm::dvec2 d : {glm::dvec2{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+      face.push_back(static_cast<int>(mesh.points.size()));
+      mesh.points.push_back(c + glm::dvec3{d, 0});
+    }
+    mesh.addFace(face, 0);
+  }
+  return makeScene("squares", mesh, UpAxis::Y);
+}
+
+PictureSettings small(Shading shading) {
+  PictureSettings s;
+  s.width = 200;
+  s.height = 150;
+  s.shading = shading;
+  return s;
+}
+
+Compared compared(const Picture& picture) { return comparedWithReference(picture, GroundTruth{picture}); }
+
+/// A ball of flat faces, which the scene knows to be a sphere.
+Scene ball(int around, int down) {
+  Scene scene = makeScene("ball", sphere(around, down), UpAxis::Z);
+  scene.rounds.push_back({.faces = scene.mesh.faceCount(), .columns = around});
+  return scene;
+}
+
+PictureSettings viewOf(const Scene& scene, Order order) {
+  PictureSettings s;
+  s.width = 300, s.height = 220;
+  s.order = order;
+  s.camera = completed({}, scene.camera);
+  return s;
+}
+
+/// For each sample, the pieces of faces that cover it, as (face, piece).
+std::vector<std::set<std::pair<int, int>>> piecesAt(const Picture& picture) {
+  const PictureSettings& s = picture.settings();
+  std::vector<std::set<std::pair<int, int>>> at(std::size_t(s.width) * s.height);
+  for (const Fragment& fragment : picture.sorted().fragments) {
+    if (fragment.piece < 0) continue;
+    forEachSpan(picture.snapped(), picture.sorted(), fragment, s.width, s.height,
+                [&](int row, int from, int to) {
+                  for (int i = from; i < to; ++i)
+                    at[std::size_t(row) * s.width + i].insert({fragment.face, fragment.piece});
+                });
+  }
+  return at;
+}
+
+bool isDash(std::uint8_t cell) {
+  const CellPlan plan;
+  return cell == plan[Cell::White] || cell == plan[Cell::Soft];
 }
 
 }  // namespace
@@ -67,18 +143,6 @@ TEST(ExactnessView, ThinLayersAreDoubtfulAndThickOnesWrong) {
   EXPECT_EQ(map.row(50)[0], plan[Cell::Alarm]);
   EXPECT_EQ(map.row(50)[66], plan[Cell::Q]);
   EXPECT_EQ(map.row(50)[67], plan[Cell::WellLine]);
-}
-
-// Each verdict has its cell, and samples that show nothing are background.
-TEST(ExactnessView, EachVerdictHasItsCell) {
-  const CellPlan plan;
-  const IndexImage map = verdictImage(
-      {SampleCheck::Right, SampleCheck::Nothing, SampleCheck::Wrong, SampleCheck::Doubtful}, 2, plan);
-  ASSERT_EQ(map.height, 2);
-  EXPECT_EQ(map.pixels[0], plan[Cell::WellLine]);
-  EXPECT_EQ(map.pixels[1], plan[Cell::Well]);
-  EXPECT_EQ(map.pixels[2], plan[Cell::Alarm]);
-  EXPECT_EQ(map.pixels[3], plan[Cell::Q]);
 }
 
 // Two faces in one plane: the later one should show. An order that shows the earlier one is wrong, though
@@ -164,6 +228,305 @@ TEST(ExactnessView, FindingIsOfTheNumbers) {
   const Finding wrong = findingOf({.samples = 4000, .wrong = 1200, .doubtful = 2}, of(Order::ZSort));
   EXPECT_EQ(wrong.bold, "A wrong face shows at 1,200 of 4,000 samples of 90 x 50.");
   EXPECT_NE(wrong.why.find("At 2 samples two faces"), std::string::npos);
+}
+
+// A worked example: three squares of 20 x 20 pixels, each covering a quarter of the one before. Each has 400
+// samples. The first two share 100 samples, the last two share 100, and no sample is in all three.
+TEST(Overdraw, OfOverlappingSquaresIsCounted) {
+  PictureCache pictures{squares({{-1, -1, 0}, {0, 0, 1}, {1, 1, 2}})};
+  pictures.make(fromAbove(Order::ZSort));
+  const Overdraw o = overdrawOf(pictures.last());
+  EXPECT_EQ(o.painted, 1200);
+  EXPECT_EQ(o.samples, 1000);
+  EXPECT_EQ(o.once, 800);
+  EXPECT_EQ(o.most, 2);
+  EXPECT_DOUBLE_EQ(o.mean(), 1.2);
+  // The first two overlap in x, y in [-1, 0]: pixels 40 to 49 across, 50 to 59 down.
+  for (int j = 0; j < 100; ++j)
+    for (int i = 0; i < 100; ++i) {
+      const bool first = i >= 30 && i < 50 && j >= 50 && j < 70,
+                 second = i >= 40 && i < 60 && j >= 40 && j < 60,
+                 third = i >= 50 && i < 70 && j >= 30 && j < 50;
+      ASSERT_EQ(o.times[100 * j + i], first + second + third) << i << ", " << j;
+    }
+  EXPECT_EQ(o.mostAt, 100u * 40 + 50);
+}
+
+// The sum over the samples is the length of all spans, in every order. The samples that show something are
+// those of the oracle, which paints each sample once.
+TEST(Overdraw, AddsUpToTheSpans) {
+  int cut = 0, more = 0;
+  for (const char* const name : {"teapot", "penetrate", "cycle", "hues"}) {
+    PictureCache pictures{readScene(name, 3)};
+    PictureSettings s;
+    s.width = 230, s.height = 170;
+    s.camera = completed({}, pictures.scene().camera);
+    s.order = Order::Oracle;
+    pictures.make(s);
+    const Overdraw oracle = overdrawOf(pictures.last());
+    EXPECT_EQ(oracle.most, 1);
+    EXPECT_EQ(oracle.once, oracle.samples);
+    EXPECT_EQ(oracle.painted, oracle.samples);
+    for (const Order order : {Order::Unsorted, Order::ZMean, Order::ZSort, Order::Newell, Order::Bsp}) {
+      s.order = order;
+      pictures.make(s);
+      const Overdraw o = overdrawOf(pictures.last());
+      std::int64_t spans = 0;
+      for (const Fragment& fragment : pictures.last().sorted().fragments)
+        forEachSpan(pictures.last().snapped(), pictures.last().sorted(), fragment, s.width, s.height,
+                    [&](int, int from, int to) { spans += to - from; });
+      EXPECT_EQ(o.painted, spans);
+      EXPECT_EQ(o.samples, oracle.samples);
+      EXPECT_EQ(o.times.size(), std::size_t{230} * 170);
+      EXPECT_EQ(o.times[o.mostAt], o.most);
+      cut += pictures.last().sorted().statistics.splits > 0;
+      more += o.most > 2;
+    }
+  }
+  EXPECT_GE(cut, 2);
+  EXPECT_GE(more, 4);
+}
+
+// Each sample of the map has the cell of the step that its count falls in, or the ground if nothing was
+// painted there.
+TEST(Overdraw, MapStepsByTheCount) {
+  Overdraw o{.width = 12, .times = {0, 1, 2, 3, 4, 5, 8, 9, 100, 0, 1, 7}};
+  const CellPlan plan;
+  const IndexImage map = overdrawImage(o, plan);
+  ASSERT_EQ(map.height, 1);
+  constexpr std::array kExpected{Cell::Well,     Cell::WellLine, Cell::Soft,     Cell::Faint,
+                                 Cell::WellText, Cell::White,    Cell::White,    Cell::Q,
+                                 Cell::Q,        Cell::Well,     Cell::WellLine, Cell::White};
+  for (std::size_t k = 0; k < kExpected.size(); ++k) EXPECT_EQ(map.pixels[k], plan[kExpected[k]]) << k;
+}
+
+// The finding gives the counted numbers. If nothing was counted, it says that.
+TEST(Overdraw, FindingIsOfTheNumbers) {
+  PictureCache pictures{squares({{-1, -1, 0}, {0, 0, 1}, {1, 1, 2}})};
+  const auto found = [&](const PictureSettings& settings) {
+    pictures.make(settings);
+    return findingOf(overdrawOf(pictures.last()), pictures.last());
+  };
+  const Finding sorted = found(fromAbove(Order::ZSort)), tested = found(fromAbove(Order::ZBuffer24));
+  EXPECT_EQ(sorted.bold, "A sample is painted 1.20 times on average, 2 at most.");
+  EXPECT_EQ(sorted.why.substr(0, 43), "16.7 % of all painted samples are painted o");
+  EXPECT_EQ(found(fromAbove(Order::Oracle)).bold, "Every sample is painted once.");
+  EXPECT_EQ(tested.bold, "Every sample is painted once.");
+  EXPECT_EQ(
+      tested.why,
+      "The z-buffer found the face that each sample shows by 1,200 tests of a depth, one for each sample "
+      "of each face.");
+  PictureSettings away = fromAbove(Order::Newell);
+  away.camera.eye = glm::dvec3{90, 0, 20}, away.camera.lookAt = glm::dvec3{90, 0, 0};
+  EXPECT_EQ(found(away).bold, "Nothing shows.");
+}
+
+// On flat surfaces, Phong's method has the true normals. Its picture differs from the reference only by the
+// rounding to shades: by half a shade, plus a hundredth of a shade from the single precision of its kernel.
+TEST(Difference, OfPhongOnFlatSurfacesIsHalfAShade) {
+  PictureCache squares{readScene("highlight", 4)};
+  const CameraSettings camera = completed({}, squares.scene().camera);
+  for (const int shades : {240, 60, 7})
+    for (const TableKind kind : {TableKind::Linear, TableKind::Brief}) {
+      PictureSettings s = small(Shading::Phong);
+      s.table.shades = shades;
+      s.table.kind = kind;
+      s.camera = camera;
+      const Difference d = compared(squares.make(s, 8)).difference;
+      EXPECT_GT(d.errors.count, 5000);
+      EXPECT_EQ(d.wrongFaces, 0);
+      EXPECT_LE(d.errors.largest, 0.51 / (shades - 1));
+      EXPECT_GT(d.errors.largest, 0.4 / (shades - 1));
+      EXPECT_EQ(d.above == 0, shades == 240);
+    }
+  // Half a step of ratio r between the levels of the corrected table.
+  PictureSettings s = small(Shading::Phong);
+  s.table.kind = TableKind::Corrected;
+  s.camera = camera;
+  const double r = ratioOfShades(s.table.I0, s.table.shades - 1);
+  EXPECT_LE(compared(squares.make(s, 8)).difference.errors.largest, 0.51 * (r - 1));
+}
+
+// The numbers are computed from the samples. A sample's number is the distance of its shade from the
+// reference.
+TEST(Difference, IsThatOfEverySample) {
+  PictureCache balls{ball(16, 8)};
+  const PictureSettings s = small(Shading::Flat);
+  const Compared result = compared(balls.make(s, 8));
+  const Difference& d = result.difference;
+  EXPECT_EQ(d.kind, Unlike::Intensity);
+  const std::vector<double> flat = balls.last().intensities(balls.last().seen(0, s.height));
+  const GroundTruth truth{balls.last()};
+  const Reference& reference = truth.reference();
+  double sum = 0, largest = 0;
+  int samples = 0, above = 0, beyond = 0;
+  for (std::size_t k = 0; k < flat.size(); ++k) {
+    const bool isShown = !std::isnan(flat[k]), isDue = reference.faces()[k] != kNothing;
+    ASSERT_EQ(std::isnan(d.at[k]), !isShown && !isDue);
+    if (!isShown && !isDue) continue;
+    ASSERT_NEAR(d.at[k], std::abs((isShown ? flat[k] : 0.0) - reference.I(k).r), 0.51 / 239);
+    beyond += !isShown;
+    ++samples, sum += d.at[k], above += d.at[k] > 1.0 / 240, largest = std::max<double>(largest, d.at[k]);
+  }
+  EXPECT_EQ(d.errors.count, samples);
+  EXPECT_EQ(d.above, above);
+  EXPECT_GT(above, samples / 2);
+  EXPECT_GT(beyond, 20);  // the sphere is larger than its polygons
+  EXPECT_NEAR(d.errors.mean, sum / samples, 1e-6);
+  EXPECT_NEAR(d.errors.largest, largest, 1e-6);
+  EXPECT_NEAR(d.at[d.largestAt], largest, 1e-6);
+  EXPECT_GT(largest, 0.05);
+}
+
+// With several hues, each picture divides the cells in its own way. A picture's cells are read as that
+// picture uses them.
+TEST(Difference, OfHuesGoesByThePicturesOwnCells) {
+  PictureCache hues{readScene("hues")};
+  PictureSettings s = small(Shading::Gouraud);
+  s.camera = completed({}, hues.scene().camera);
+  s.colors = ColorPlan::Hues;
+  const Compared result = compared(hues.make(s, 8));
+  const IndexImage& image = hues.last().image();
+  ASSERT_GT(hues.last().colors().tables().size(), 5u);
+  int fewest = 240;
+  for (const ColorTable& table : hues.last().colors().tables()) fewest = std::min(fewest, table.shades());
+  const std::vector<double> gouraud = hues.last().intensities(hues.last().seen(0, s.height));
+  int samples = 0;
+  for (std::size_t k = 0; k < gouraud.size(); ++k) {
+    if (std::isnan(gouraud[k])) continue;
+    ++samples;
+    ASSERT_NEAR(hues.last().colors().intensityOf(image.pixels[k]), gouraud[k], 1.0 / fewest);
+    ASSERT_NEAR(hues.last().colors().intensityOf(result.reference.pixels[k]), gouraud[k],
+                result.difference.at[k] + 1.0 / fewest);
+  }
+  EXPECT_GT(samples, 5000);
+  EXPECT_LT(result.difference.errors.mean, 0.02);
+}
+
+// Colours are compared as they look. With more than enough cells for one gray ramp, the eye cannot see
+// Phong's own difference, but can see that of flat shading.
+TEST(Difference, OfColoursIsHowTheyLook) {
+  PictureCache balls{ball(256, 128)};  // as fine as the reference, so the outline is no difference
+  PictureSettings s = small(Shading::Phong);
+  s.colors = ColorPlan::Chosen;
+  Compared result = compared(balls.make(s, 8));
+  EXPECT_EQ(result.difference.kind, Unlike::Color);
+  EXPECT_GT(result.difference.errors.count, 5000);
+  EXPECT_EQ(result.difference.above, 0);
+  int differ = 0;  // a channel has 255 steps, so some samples are rounded to the next colour
+  for (std::size_t k = 0; k < result.reference.pixels.size(); ++k)
+    differ += std::abs(result.reference.pixels[k] - balls.last().image().pixels[k]);
+  EXPECT_LT(differ, result.difference.errors.count / 4);
+  s.colors = ColorPlan::Cube;
+  EXPECT_GT(compared(balls.make(s, 8)).difference.errors.mean, 2.0);
+  s.shading = Shading::Flat, s.colors = ColorPlan::Chosen;
+  balls = PictureCache{ball(64, 32)};
+  result = compared(balls.make(s, 8));
+  EXPECT_GT(result.difference.above, result.difference.errors.count / 4);
+  EXPECT_GT(result.difference.errors.largest, 3.0);
+}
+
+// A cube seen from a corner shows nine of its twelve edges, and three are hidden. Three of its six polygons
+// are seen from behind.
+TEST(Wireframe, OfACubeIsCounted) {
+  PictureCache pictures{makeScene("cube", cube(), UpAxis::Z)};
+  PictureSettings s = viewOf(pictures.scene(), Order::Newell);
+  s.camera.eye = glm::dvec3{6, -5, 4};
+  pictures.make(s);
+  const Wireframe wires = wireframeOf(pictures.last(), CellPlan{});
+  EXPECT_EQ(wires.polygons, 6);
+  EXPECT_EQ(wires.back, 3);
+  EXPECT_EQ(wires.edges, 12);
+  EXPECT_EQ(wires.cuts, 0);
+  const auto hidden = std::ranges::count(wires.image.pixels, CellPlan{}[Cell::WellLine]),
+             showing = std::ranges::count(wires.image.pixels, CellPlan{}[Cell::WellText]);
+  EXPECT_GT(hidden, 60);
+  EXPECT_GT(showing, 2 * hidden);
+  EXPECT_EQ(hidden + showing + std::ranges::count(wires.image.pixels, CellPlan{}[Cell::Well]), 300 * 220);
+}
+
+// Edges are dashed only along cuts: next to each dashed pixel two pieces of one face meet. Where pieces meet
+// there are dashes, except for the gaps.
+TEST(Wireframe, DashesWhereACutRuns) {
+  for (const char* const name : {"penetrate", "cycle"}) {
+    SCOPED_TRACE(name);
+    PictureCache pictures{readScene(name)};
+    pictures.make(viewOf(pictures.scene(), Order::Newell));
+    const Wireframe wires = wireframeOf(pictures.last(), CellPlan{});
+    EXPECT_EQ(wires.cuts, pictures.last().sorted().statistics.splits);
+    ASSERT_GT(wires.cuts, 0);
+    const auto pieces = piecesAt(pictures.last());
+    const int W = wires.image.width, H = wires.image.height;
+    int dashes = 0, borders = 0, near = 0;
+    const auto around = [&](int x, int y, int reach, auto&& use) {
+      for (int j = std::max(0, y - reach); j <= std::min(H - 1, y + reach); ++j)
+        for (int i = std::max(0, x - reach); i <= std::min(W - 1, x + reach); ++i) use(j * W + i);
+    };
+    for (int y = 0; y < H; ++y)
+      for (int x = 0; x < W; ++x) {
+        std::set<std::pair<int, int>> beside;
+        around(x, y, 1, [&](int k) { beside.insert(pieces[k].begin(), pieces[k].end()); });
+        bool meet = false;
+        for (auto p = beside.begin(); p != beside.end() && std::next(p) != beside.end(); ++p)
+          meet |= p->first == std::next(p)->first;
+        if (isDash(wires.image.row(y)[x])) {
+          ++dashes;
+          ASSERT_TRUE(meet) << x << ", " << y;
+        }
+        if (!meet) continue;
+        ++borders;
+        bool dash = false;  // or an edge drawn over it
+        around(x, y, kDashPeriod, [&](int k) { dash |= isDash(wires.image.pixels[k]); });
+        near += dash;
+      }
+    EXPECT_GT(dashes, 8);
+    EXPECT_GT(near, borders * 9 / 10);
+  }
+}
+
+// An order that cuts nothing has the same edges and no dashes.
+TEST(Wireframe, WithoutCutsNothingIsDashed) {
+  PictureCache pictures{readScene("penetrate")};
+  pictures.make(viewOf(pictures.scene(), Order::Newell));
+  const Wireframe cut = wireframeOf(pictures.last(), CellPlan{});
+  EXPECT_GT(std::ranges::count_if(cut.image.pixels, isDash), 20);
+  for (const Order order : {Order::Unsorted, Order::ZMean, Order::ZSort, Order::ZBuffer16, Order::Oracle}) {
+    pictures.make(viewOf(pictures.scene(), order));
+    const Wireframe wires = wireframeOf(pictures.last(), CellPlan{});
+    EXPECT_EQ(wires.cuts, 0);
+    EXPECT_EQ(std::ranges::count_if(wires.image.pixels, isDash), 0);
+    EXPECT_EQ(wires.edges, cut.edges);
+    EXPECT_EQ(wires.polygons, cut.polygons);
+    EXPECT_EQ(findingOf(wires, pictures.last()).bold, "Nothing is cut.");
+  }
+  // A BSP tree of two plates that pass through each other makes one cut, too.
+  pictures.make(viewOf(pictures.scene(), Order::Bsp));
+  const Wireframe tree = wireframeOf(pictures.last(), CellPlan{});
+  EXPECT_EQ(tree.cuts, 1);
+  EXPECT_GT(std::ranges::count_if(tree.image.pixels, isDash), 20);
+  EXPECT_EQ(findingOf(tree, pictures.last()).bold, "The BSP tree cut once.");
+}
+
+// Visible lines lie next to samples of their polygons: a pixel with only another face around it is never
+// bright.
+TEST(Wireframe, BrightLinesLieOnWhatShows) {
+  PictureCache pictures{readScene("teapot", 3)};
+  pictures.make(viewOf(pictures.scene(), Order::Newell));
+  const Wireframe wires = wireframeOf(pictures.last(), CellPlan{});
+  const SeenRows seen = pictures.last().seen(0, wires.image.height);
+  int bright = 0, inside = 0;
+  for (int y = 1; y + 1 < wires.image.height; ++y)
+    for (int x = 1; x + 1 < wires.image.width; ++x) {
+      if (wires.image.row(y)[x] != CellPlan{}[Cell::WellText]) continue;
+      ++bright;
+      std::set<int> faces;
+      for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i) faces.insert(seen.faces[std::size_t(y + j) * seen.width + x + i]);
+      ASSERT_FALSE(faces.size() == 1 && faces.contains(kNothing)) << x << ", " << y;
+      inside += faces.size() > 1;
+    }
+  EXPECT_GT(bright, 1000);
+  EXPECT_GT(inside, bright * 9 / 10);  // an edge lies where the visible face changes
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -1,17 +1,19 @@
-#include "x11/views/views.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "depthsort/oracle.h"
 #include "geometry/model/solids.h"
 #include "shading/laboratory/profile.h"
 #include "shading/picture/picture_cache.h"
+#include "tests/support/scene_text.h"
 #include "tests/support/seeds.h"
 #include "x11/drawing/rect.h"
 #include "x11/views/normals_view.h"
+#include "x11/views/terms_view.h"
+#include "x11/views/views.h"
+#include "x11/views/wireframe.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -42,6 +44,18 @@ bool isPaper(const IndexImage& image, const Rect& area) {
     for (int i = area.x; i < area.x + area.width; ++i)
       if (image.row(j)[i] != CellPlan{}[Cell::Paper]) return false;
   return true;
+}
+
+Picture made(const char* name, ColorPlan plan = ColorPlan::Needed, Order order = Order::Newell,
+             Shading shading = Shading::Gouraud) {
+  Scene scene = readScene(name, 3);
+  PictureSettings s;
+  s.width = 240, s.height = 180;
+  s.shading = shading;
+  s.colors = plan;
+  s.order = order;
+  s.camera = completed({}, scene.camera);
+  return makePicture(std::move(scene), s, CellPlan{}[Cell::Well]);
 }
 
 }  // namespace
@@ -110,38 +124,6 @@ TEST(Views, DoNotDependOnTheOneBefore) {
       EXPECT_EQ(drawn(pictures, kDrawn[k], 800, 600).image, first[k]);
 }
 
-// A scanline must lie in the picture that the view shows. If it does not, the message says where the picture
-// ends.
-TEST(Views, RefuseAScanlineBelowThePicture) {
-  PictureCache pictures{readScene("teapot", 3)};
-  ViewSettings s = settingsOf(View::MachBands, pictures.scene(), 800, 600);
-  s.scanline = 260;
-  EXPECT_NO_THROW(static_cast<void>(drawView(pictures, s)));
-  EXPECT_EQ(pictures.last().settings().height, 261);
-  s.scanline = 261;
-  try {
-    static_cast<void>(drawView(pictures, s));
-    FAIL();
-  } catch (const std::invalid_argument& e) {
-    EXPECT_EQ(std::string{e.what()},
-              "--scanline: 261 is below the picture: in this view its rows are 0 to 260");
-  }
-}
-
-// The profiles stand exactly below their pixels: the cells of the marked scanline are the strip of the chosen
-// method, column by column.
-TEST(Views, StripsRepeatTheMarkedScanline) {
-  PictureCache pictures{readScene("teapot", 3)};
-  ViewSettings s = settingsOf(View::MachBands, pictures.scene(), 800, 600);
-  s.picture.shading = Shading::Gouraud;
-  s.scanline = 100;
-  const IndexImage view = drawView(pictures, s).image;
-  const IndexImage image = pictures.last().paint(CellPlan{}[Cell::Well]).image;
-  int rows = 0;
-  for (int j = 0; j < view.height; ++j) rows += std::equal(image.row(100), image.row(101), view.row(j) + 100);
-  EXPECT_GE(rows, 12);  // the strip; in the pictures.last() the line is drawn over it
-}
-
 // Each band is marked on its curve, in the column of its pixel, and nothing else is.
 TEST(Views, MarkEveryBand) {
   PictureCache pictures{readScene("teapot")};
@@ -196,6 +178,152 @@ TEST(NormalColors, AreThoseOfTheSphere) {
       }
     EXPECT_GT(samples, 0.375 * size * size);
   }
+}
+
+// Everything that can be shown has the picture's size and place and leaves the picture as it was. All but the
+// normals and the terms are drawn in the tool's own cells and change no colour.
+TEST(Shows, KeepThePictureAndItsColours) {
+  for (const auto& [scene, plan] : someOf({std::pair{"tori", ColorPlan::Cube},
+                                           {"hues", ColorPlan::Hues},
+                                           {"hues", ColorPlan::Chosen},
+                                           {"teapot", ColorPlan::OneHue}},
+                                          2))
+    for (const OrderRow& order : kOrders) {
+      if (plan != ColorPlan::OneHue && order.id != Order::Newell) continue;
+      const Picture picture = made(scene, plan, order.id);
+      const PictureSettings& settings = picture.settings();
+      const Palette palette = picture.palette(CellPlan{});
+      CachedGroundTruth truth;
+      for (const ViewRow& row : kViews) {
+        if (row.key != 0 && row.id != View::Picture) continue;  // views of the window alone
+        SCOPED_TRACE(std::string{scene} + ' ' + std::string{order.name} + ' ' + std::string{row.name});
+        const ShownPicture shown = shownAs(row.id, picture, palette, CellPlan{}, truth);
+        ASSERT_EQ(shown.image.width, settings.width);
+        ASSERT_EQ(shown.image.height, settings.height);
+        EXPECT_EQ(shown.image == picture.image(), row.id == View::Picture);
+        EXPECT_EQ(shown.palette == palette, !row.hasOwnColors() || plan == ColorPlan::Cube);
+        EXPECT_EQ(shown.finding.empty(), row.id == View::Picture);
+        EXPECT_EQ(withInterface(shown.palette, CellPlan{}), shown.palette);
+        if (row.id != View::Picture && !row.hasOwnColors()) {
+          EXPECT_TRUE(std::ranges::none_of(shown.image.pixels, [](int c) { return c > 10 && c < 251; }));
+        }
+        EXPECT_GT(std::ranges::count(shown.image.pixels, CellPlan{}[Cell::Well]), 1000);
+        const bool hasLegend =
+            row.id == View::Overdraw || row.id == View::Difference || row.id == View::Exactness;
+        EXPECT_EQ(shown.image.row(12)[12] == CellPlan{}[Cell::WellLine], hasLegend);
+      }
+    }
+}
+
+// The ground is where the picture's ground is: nothing is shown where nothing is, except for the legend, and
+// for lines at the border. The difference shows as well what the picture lacks.
+TEST(Shows, TheGroundStays) {
+  const Picture picture = made("teapot");
+  const std::uint8_t well = CellPlan{}[Cell::Well];
+  for (const View show : {View::Overdraw, View::Difference, View::Exactness, View::Normals}) {
+    CachedGroundTruth truth;
+    const ShownPicture shown = shownAs(show, picture, picture.palette(CellPlan{}), CellPlan{}, truth);
+    const std::vector<int>& due = truth.of(picture).reference().faces();
+    int differ = 0;
+    for (std::size_t k = std::size_t{24} * 240; k < shown.image.pixels.size(); ++k) {  // below the legend
+      const bool nothing =
+          picture.image().pixels[k] == well && (show != View::Difference || due[k] == kNothing);
+      differ += (shown.image.pixels[k] == well) != nothing;
+    }
+    EXPECT_LE(differ, show == View::Normals ? 400 : 0);  // needles reach beyond the border
+  }
+}
+
+// Lines and labels of a scene are drawn over its picture, in the cell that looks most like their colour,
+// except where a face hides them. So are the edges of the model, in the colour that is asked for: those in
+// front, and the others in dashes if all are shown.
+TEST(Shows, MarksOfTheScene) {
+  /// Counts the samples of marks within a part and elsewhere.
+  const auto marksOf = [](Scene scene, auto&& isWithin) {
+    PictureSettings s = scene.settings;
+    s.width = 200, s.height = 200;
+    s.camera = completed({}, scene.camera);
+    const Picture picture = makePicture(std::move(scene), s, CellPlan{}[Cell::Well]);
+    const IndexImage marked = withMarks(picture, picture.palette(CellPlan{}));
+    std::pair<int, int> counts{0, 0};
+    for (int j = 0; j < 200; ++j)
+      for (int i = 0; i < 200; ++i)
+        if (marked.row(j)[i] != picture.image().row(j)[i]) {
+          EXPECT_EQ(marked.row(j)[i], CellPlan{}[Cell::White]);
+          ++(isWithin(i, j) ? counts.first : counts.second);
+        }
+    return counts;
+  };
+  const std::string view = R"({"camera": {"eye": [0, 0, 5], "look_at": [0, 0, 0], "parallel": 4}, )",
+                    square = R"([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])";
+  const auto lineAndLabel = [&](const std::string& z) {
+    const std::string text = view + R"("labels": [{"text": "\u03b8", "at": [-0.2, -0.9, )" + z +
+                             R"(], "color": [1, 1, 1], "size": 24}], "lines": [{"points": [[-1.5, 0, )" + z +
+                             "], [1.5, 0, " + z + R"(]], "color": [1, 1, 1]}], "objects": [{"polygons": [)" +
+                             square + ", [[-1.9, -1.9, 1], [-1.8, -1.9, 1], [-1.9, -1.8, 1]]]}]}";
+    return marksOf(parsed(text), [](int, int j) { return j > 96 && j < 104; });
+  };
+  const auto [before, letter] = lineAndLabel("0.5");
+  EXPECT_NEAR(before, 150, 8);
+  EXPECT_GT(letter, 10);
+  const auto [behind, none] = lineAndLabel("-0.5");
+  EXPECT_NEAR(behind, 50, 8);
+  EXPECT_EQ(none, 0);
+
+  const auto edgesOf = [&](ModelEdges edges) {
+    Scene scene = parsed(view + R"("objects": [{"polygons": [)" + square +
+                         ", [[-0.5, -0.5, -1], [0.5, -0.5, -1], [0.5, 0.5, -1], [-0.5, 0.5, -1]]]}]}");
+    scene.marks.edges = edges, scene.marks.edgeColor = {1, 1, 1};
+    return marksOf(std::move(scene),
+                   [](int i, int j) { return std::max(std::abs(i - 100), std::abs(j - 100)) < 40; });
+  };
+  EXPECT_EQ(edgesOf(ModelEdges::None), (std::pair{0, 0}));
+  const auto [within, around] = edgesOf(ModelEdges::Visible);
+  EXPECT_EQ(within, 0);
+  EXPECT_NEAR(around, 400, 8);
+  const auto [dashes, outer] = edgesOf(ModelEdges::All);
+  EXPECT_NEAR(dashes, 200 * kDash / kDashPeriod, 12);
+  EXPECT_EQ(outer, around);
+}
+
+// The colour of each sample tells its value: gray from 0 to 1, blue below 0. Only the steps of the scene's
+// cells are lost.
+TEST(TermsView, ColoursTellTheValues) {
+  for (const ColorPlan plan : {ColorPlan::OneHue, ColorPlan::Chosen})
+    for (const TermValueRow& row : kTerms) {
+      SCOPED_TRACE(std::string{row.name});
+      const Picture picture = made("teapot", plan, Order::Newell, Shading::Phong);
+      const TermValues found = termValuesOf(picture, row.id);
+      const ColoredImage image = termImage(found, picture, CellPlan{}, picture.palette(CellPlan{}));
+      const double step = 255.0 / (row.isCosine ? 119 : 239);
+      int compared = 0, negative = 0;
+      for (std::size_t k = std::size_t{240} * 40; k < found.values.size(); ++k) {  // below the legend
+        const Rgb16 color = image.palette[image.image.pixels[k]];
+        if (std::isnan(found.values[k])) {
+          ASSERT_EQ(image.image.pixels[k], CellPlan{}[Cell::Well]);
+        } else if (found.values[k] >= 0.0) {
+          ASSERT_NEAR(color.r >> 8, 255.0 * found.values[k], step) << k;
+          ASSERT_EQ(color.r, color.b);
+        } else {
+          ASSERT_EQ(color.r, 0) << k;
+          ASSERT_GE(color.b >> 8, 79);
+          ++negative;
+        }
+        compared += !std::isnan(found.values[k]);
+      }
+      EXPECT_GT(compared, 5'000);
+      EXPECT_EQ(negative > 100, row.isCosine);
+    }
+}
+
+// Every number has a view of its own, by the same name, and each row stands where its view's number says.
+TEST(TermsView, AreViews) {
+  for (const TermValueRow& row : kTerms) {
+    const auto* const view = std::ranges::find(kViews, row.name, &ViewRow::name);
+    ASSERT_NE(view, kViews.end());
+    EXPECT_EQ(view->term, row.id);
+  }
+  for (std::size_t k = 0; k < kViews.size(); ++k) EXPECT_EQ(static_cast<std::size_t>(kViews[k].id), k);
 }
 
 }  // namespace xnewell::THIS_FILE
