@@ -2,17 +2,24 @@
 
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <regex>
-#include <sstream>
 
+#include "depthsort/record/explain.h"
+#include "geometry/files/parse_error.h"
+#include "geometry/files/text_file.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/support/reader_fixture.h"
+#include "tests/support/seeds.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/x11/support/lesson_window.h"
 #include "x11/lessons/lesson.h"
 #include "x11/lessons/lesson_facts.h"
+#include "x11/lessons/lesson_figure.h"
+#include "x11/lessons/lesson_view.h"
+#include "x11/window/layout.h"
 
 namespace xnewell::THIS_FILE {
-
-// Lesson files: all of ours can be read, every key does what it says, and each mistake is named with its
-// place.
 
 namespace {
 
@@ -34,7 +41,52 @@ StepFigure figureOf(const std::string& more, const std::string& scene = "sticks"
   return parsed(withStep(more, scene)).steps[0].figure;
 }
 
+constexpr std::array kSizes{glm::ivec2{800, 540}, glm::ivec2{800, 600}, glm::ivec2{1024, 768},
+                            glm::ivec2{1600, 1200}};
+
+/// A figure drawn as the window draws it at a size.
+struct Shown {
+  std::optional<Picture> picture, lower;
+  StepFigure of;
+
+  Shown(const StepFigure& figure, glm::ivec2 window) : of{figure} {
+    const Layout at = layoutOf(window.x, window.y);
+    const Rect area{at.body.x, at.body.y, at.body.width - 320 - kMargin,
+                    at.body.height - (at.compact ? 2 : 12)};
+    const FigureLayout drawn = layoutOfFigure(area, figure, at.compact);
+    PictureSettings settings = figure.settings;
+    settings.width = drawn.picture.width, settings.height = drawn.picture.height;
+    picture = makePicture(*figure.scene, settings, 8);
+    if (figure.stage != View::SideBySide) return;
+    settings = figure.beside;
+    settings.width = drawn.lower.width, settings.height = drawn.lower.height;
+    lower = makePicture(*figure.scene, settings, 8);
+  }
+  [[nodiscard]] ShownFigure facts() {
+    return {*picture, picture->image(), lower ? &lower->image() : nullptr, of};
+  }
+};
+
+/// All figures of all lessons, each with its place.
+template <class Visit>
+void forEachFigure(Visit&& visit) {
+  for (const LessonEntry& entry : builtInLessons()) {
+    const Lesson lesson = readLesson(entry.file);
+    for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
+      const std::string place = entry.name + ", step " + std::to_string(k + 1);
+      visit(place, lesson.steps[k].figure);
+      if (const auto& question = lesson.steps[k].question)
+        for (const LessonAnswer& answer : question->answers) visit(place + ": " + answer.text, answer.shown);
+    }
+  }
+}
+
+nlohmann::json read(const std::string& file) { return nlohmann::json::parse(readTextFile(file)); }
+
 }  // namespace
+
+// Lesson files: all of ours can be read, every key does what it says, and each mistake is named with its
+// place.
 
 TEST(LessonFile, AllThatAreBuiltInCanBeRead) {
   const std::vector<LessonEntry> entries = builtInLessons();
@@ -157,16 +209,206 @@ TEST(LessonFile, EveryControlIsKnown) {
 
 // A file with any bytes changed gives a lesson or a complaint, and never anything else.
 TEST(LessonFile, AnyTextIsReadOrRefused) {
-  std::ifstream file{std::string{XNEWELL_DATA_DIR} + "/lessons/cycles.json"};
-  std::stringstream text;
-  text << file.rdbuf();
+  const std::string text = readTextFile(XNEWELL_DATA_DIR "/lessons/cycles.json");
   int refused = 0;
   for (unsigned seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 rng{seed};
-    refused += complaintOf(mutated(text.str(), rng)).empty() ? 0 : 1;
+    refused += complaintOf(mutated(text, rng)).empty() ? 0 : 1;
   }
   EXPECT_GT(refused, 100);
+}
+
+// What lessons say is what the program shows.
+
+// Each claim of each step and of each answer holds, in windows of several sizes.
+TEST(LessonClaims, Hold) {
+  int claims = 0;
+  forEachFigure([&](const std::string& place, const StepFigure& figure) {
+    if (figure.claims.empty()) return;
+    for (const glm::ivec2 size : someOf(kSizes, 1)) {
+      Shown shown{figure, size};
+      ShownFigure facts = shown.facts();
+      for (const Claim& claim : figure.claims) {
+        const FactRow& fact = allFacts()[static_cast<std::size_t>(claim.fact)];
+        EXPECT_TRUE(facts.holds(claim))
+            << place << ", at " << size.x << ": " << fact.name << " is " << facts.text(fact);
+        ++claims;
+      }
+    }
+  });
+  EXPECT_GT(claims, kSanitized ? 66 : 200);
+}
+
+// The steps of the depth sort that lessons mention exist and are what the lesson says.
+TEST(LessonClaims, EventsAreThere) {
+  int events = 0;
+  forEachFigure([&](const std::string& place, const StepFigure& figure) {
+    if (figure.stage != View::DepthSort) return;
+    for (const glm::ivec2 size : someOf(kSizes, 1)) {
+      SCOPED_TRACE(place + ", at " + std::to_string(size.x));
+      Shown shown{figure, size};
+      const Picture picture = shown.picture->withPlanes();
+      const SortedScene run = textbookRun(picture);
+      const std::optional<int> step = stepOf(run, figure.event);
+      ASSERT_TRUE(step);
+      const Explainer explainer{picture.scene().mesh, picture.snapped(), run, true};
+      const std::string sentence = explainer.sentence(run.events[static_cast<std::size_t>(*step - 1)], 0);
+      EXPECT_NE(sentence.find(figure.event.says), std::string::npos) << sentence;
+      ++events;
+    }
+  });
+  EXPECT_GT(events, kSanitized ? 10 : 30);
+}
+
+// A false claim fails. The test changes the last decimal of each claim that names a number.
+TEST(LessonClaims, FailWhereTheyAreChanged) {
+  int changed = 0;
+  forEachFigure([&](const std::string& place, const StepFigure& figure) {
+    if (figure.claims.empty()) return;
+    Shown shown{figure, kSizes[1]};
+    ShownFigure facts = shown.facts();
+    for (Claim claim : figure.claims) {
+      const FactRow& fact = allFacts()[static_cast<std::size_t>(claim.fact)];
+      const double value = facts.value(fact), unit = std::pow(10.0, -fact.decimals);
+      if (claim.is) *claim.is += unit;
+      if (claim.least) claim.least = value + unit;
+      if (claim.most) claim.most = value - unit;
+      EXPECT_FALSE(facts.holds(claim)) << place;
+      ++changed;
+    }
+  });
+  EXPECT_GT(changed, 70);
+}
+
+// Every fact has words.
+TEST(LessonFacts, AllHaveWords) {
+  const Lesson lesson = readLesson(std::string{XNEWELL_DATA_DIR} + "/lessons/mach-bands.json");
+  Shown shown{lesson.steps[2].figure, kSizes[0]};
+  ShownFigure facts = shown.facts();
+  for (const FactRow& row : allFacts())
+    if (row.needs != FactNeeds::Beside) {
+      EXPECT_FALSE(facts.text(row).empty());
+    }
+}
+
+TEST(LessonFacts, SayWhereThereIsNone) {
+  const Lesson lesson = readLesson(std::string{XNEWELL_DATA_DIR} + "/lessons/mach-bands.json");
+  StepFigure figure = lesson.steps[0].figure;
+  const Claim claim{.fact = *factNamed("ratio"), .is = {}, .least = 0.0};
+  for (const TableKind kind : {TableKind::Linear, TableKind::Corrected}) {
+    figure.settings.table.kind = kind;
+    Shown shown{figure, kSizes[0]};
+    ShownFigure facts = shown.facts();
+    EXPECT_EQ(facts.text(allFacts()[static_cast<std::size_t>(claim.fact)]) == "none",
+              kind == TableKind::Linear);
+    EXPECT_EQ(facts.holds(claim), kind == TableKind::Corrected);
+  }
+}
+
+TEST(LessonFacts, FillWords) {
+  const Lesson lesson = readLesson(std::string{XNEWELL_DATA_DIR} + "/lessons/cycles.json");
+  Shown shown{lesson.steps[0].figure, kSizes[1]};
+  ShownFigure facts = shown.facts();
+  EXPECT_EQ(facts.filled("{cuts} cut, {painted} parts of {polygons}"), "1 cut, 4 parts of 3");
+  EXPECT_EQ(checkPlaceholders("{cuts} and {wrong samples}"), "");
+  EXPECT_EQ(checkPlaceholders("a } b"), "a } without a {");
+  EXPECT_EQ(checkPlaceholders("a { b"), "a { without a }");
+  EXPECT_TRUE(checkPlaceholders("{cats}").starts_with("there is no fact 'cats'; the facts are polygons, "));
+}
+
+// Each answer of a student is in the file at once, in its order in time. A right answer is confirmed. What an
+// earlier session has kept stays, and counts in the score.
+TEST(KeptAnswers, AreWhatTheStudentGave) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("answers.json");
+  {
+    LessonWindow window;
+    begin(window, "cycles");
+    window.bench.keepAnswers(file);
+    window.bench.goTo(2);
+    window.draw();
+    EXPECT_FALSE(std::filesystem::exists(file));
+    window.press('b');
+    window.press(NamedKey::Return);
+    window.draw();
+    EXPECT_FALSE(window.bench.page().question->right);
+    EXPECT_NE(window.bench.layout().after.front().text.find("B was painted"), std::string::npos);
+    EXPECT_EQ(read(file),
+              nlohmann::json::parse(
+                  R"({"answers": [{"lesson": "cycles", "step": 3, "tries": ["b"], "right": "d"}]})"));
+    window.press('d');
+    window.press(NamedKey::Return);
+    window.draw();
+    EXPECT_TRUE(window.bench.page().question->right);
+    EXPECT_EQ(window.bench.layout().after.front().text.find("Right. "), 0u);
+    EXPECT_EQ(read(file)["answers"][0]["tries"], (nlohmann::json{"b", "d"}));
+  }
+  KeptAnswers later;
+  later.keepIn(file);
+  EXPECT_EQ(later.score("cycles"), "0 of 1 right at the first try");
+  EXPECT_EQ(later.score("five-tests"), "");
+  const Lesson lesson = readLesson(std::string{XNEWELL_DATA_DIR} + "/lessons/cycles.json");
+  later.add(lesson, 5, 2);
+  EXPECT_EQ(later.score("cycles"), "1 of 2 right at the first try");
+  const nlohmann::json both = read(file);
+  EXPECT_EQ(both["answers"].size(), 2u);
+  EXPECT_EQ(both["answers"][1],
+            nlohmann::json::parse(R"({"lesson": "cycles", "step": 6, "tries": ["c"], "right": "c"})"));
+}
+
+// Without a file of their own, answers are kept where programs keep their state. Nothing is made there before
+// the first answer, and two windows keep both their answers.
+TEST(KeptAnswers, HaveAUsualPlace) {
+  const TemporaryFolder folder;
+  const auto placeWith = [](const char* state, const char* home) {
+    state ? setenv("XDG_STATE_HOME", state, 1) : unsetenv("XDG_STATE_HOME");
+    home ? setenv("HOME", home, 1) : unsetenv("HOME");
+    return KeptAnswers::usualFile();
+  };
+  const char* const home = std::getenv("HOME");
+  const std::string before = home ? home : "", file = placeWith(folder.file("s").c_str(), "/h");
+  EXPECT_EQ(file, folder.file("s") + "/xnewell/answers.json");
+  EXPECT_EQ(placeWith("relative", "/h"), "/h/.local/state/xnewell/answers.json");
+  EXPECT_EQ(placeWith(nullptr, nullptr), "");
+  static_cast<void>(placeWith(nullptr, home ? before.c_str() : nullptr));
+
+  const Lesson lesson = readLesson(std::string{XNEWELL_DATA_DIR} + "/lessons/cycles.json");
+  KeptAnswers one, other;
+  one.keepIn(file), other.keepIn(file);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("s")));
+  one.add(lesson, 2, 3);
+  other.add(lesson, 5, 1);
+  EXPECT_EQ(other.score("cycles"), "1 of 2 right at the first try");
+  EXPECT_EQ(read(file)["answers"].size(), 2u);
+}
+
+// A file that holds anything else is refused with its place, and stays as it is.
+TEST(KeptAnswers, RefuseOtherFiles) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("a.json");
+  const std::pair<const char*, const char*> kRows[]{
+      {"[]", "an object { } is needed"},
+      {"{}", "answers is needed"},
+      {R"({"answers": [{"lesson": "cycles"}]})", "answers[0]: step is needed"},
+      {R"({"answers": [{"lesson": "cycles", "step": 13, "tries": ["a"], "right": "a"}]})",
+       "answers[0].step: a whole number from 1 to 12 is needed"},
+      {R"({"answers": [{"lesson": "cycles", "step": 1, "tries": [], "right": "a"}]})",
+       "answers[0].tries: an answer is needed"},
+      {R"({"answers": [{"lesson": "cycles", "step": 1, "tries": ["e"], "right": "a"}]})",
+       "answers[0].tries[0]: a letter from a to d is needed"},
+  };
+  for (const auto& [text, what] : kRows) {
+    std::ofstream{file} << text;
+    KeptAnswers answers;
+    try {
+      answers.keepIn(file);
+      ADD_FAILURE() << text;
+    } catch (const ParseError& e) {
+      EXPECT_NE(std::string{e.what()}.find(what), std::string::npos) << e.what();
+    }
+    EXPECT_EQ(readTextFile(file), text);
+  }
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -1,5 +1,3 @@
-#include "x11/lessons/lesson_view.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,29 +6,22 @@
 
 #include "tests/support/seeds.h"
 #include "tests/x11/support/lesson_window.h"
-#include "x11/app/workbench.h"
+#include "tests/x11/support/ready_workbench.h"
 #include "x11/drawing/painter.h"
+#include "x11/lessons/lesson_view.h"
 #include "x11/stepper/sort_run.h"
 
 namespace xnewell::THIS_FILE {
-
-// Lessons in the window: keys and pointer, what is hidden until an answer is given, and the room for words.
 
 namespace {
 
 constexpr std::array kSizes{glm::ivec2{800, 540}, glm::ivec2{800, 600}, glm::ivec2{1024, 768},
                             glm::ivec2{1600, 1200}};
 
-IndexImage part(const IndexImage& image, const Rect& r) {
-  IndexImage copy{r.width, r.height, 0};
-  for (int j = 0; j < r.height; ++j) std::copy_n(image.row(r.y + j) + r.x, r.width, copy.row(j));
-  return copy;
-}
-
 /// All of the window but the column of words.
 IndexImage drawn(const LessonWindow& window) {
   const Rect& body = window.layout.body;
-  return part(window.image, {body.x, body.y, body.width - kLessonColumn - kMargin, body.height});
+  return partOf(window.image, {body.x, body.y, body.width - kLessonColumn - kMargin, body.height});
 }
 
 void click(LessonWindow& window, const Rect& at) {
@@ -77,7 +68,16 @@ std::vector<std::string> tooWide(LessonWindow& window) {
   return found;
 }
 
+/// The control of the step with this key; null if there is none.
+const Control* withKey(const Controls& controls, char key) {
+  const auto found = std::ranges::find(controls, ControlId{key}, &Control::id);
+  return found == controls.end() ? nullptr : &*found;
+}
+
 }  // namespace
+
+// Lessons in the window: keys and pointer, the steps' controls, what is hidden until an answer is given, and
+// the room for words.
 
 // Each step of each lesson looks the same on the way forth and on the way back.
 TEST(LessonView, GoesForthAndBack) {
@@ -165,20 +165,8 @@ TEST(LessonView, AnglesDoNotTellTheOutcome) {
   EXPECT_EQ(told, 2);  // a turn keeps the light
 }
 
-// A step that was answered looks as it was left when it is visited again.
-TEST(LessonView, AnswersAreRememberedByStep) {
-  LessonWindow window;
-  begin(window, "cycles");
-  window.bench.goTo(2);
-  window.press('b');
-  window.press(NamedKey::Return);
-  const IndexImage given = window.draw();
-  window.press(NamedKey::PageDown);
-  window.draw();
-  window.press(NamedKey::PageUp);
-  EXPECT_EQ(window.draw(), given);
-}
-
+// Return asks for an answer, and then goes on. A step that was answered looks as it was left when it is
+// visited again.
 TEST(LessonView, ReturnAsksForAnAnswerAndThenGoesOn) {
   LessonWindow window;
   begin(window, "cycles");
@@ -189,39 +177,24 @@ TEST(LessonView, ReturnAsksForAnAnswerAndThenGoesOn) {
   window.press('d');
   window.press(NamedKey::Return);
   EXPECT_EQ(window.bench.step(), 2);
+  const IndexImage given = window.draw();
   window.press(NamedKey::Return);
   EXPECT_EQ(window.bench.step(), 3);
-  window.bench.goTo(2);
-  window.press(NamedKey::PageDown);  // without an answer
+  window.draw();
+  window.press(NamedKey::PageUp);
+  EXPECT_EQ(window.draw(), given);
+  window.press(NamedKey::PageDown);
   EXPECT_EQ(window.bench.step(), 3);
-}
-
-// Leaving a lesson brings back the window's own scene and setup.
-TEST(LessonView, LeavingClosesWhatItOpened) {
-  LessonWindow window;
-  begin(window, "specular");
-  window.press(NamedKey::Right);
-  EXPECT_GE(window.opened, 1);
-  EXPECT_TRUE(window.press(NamedKey::Escape));
-  EXPECT_EQ(window.closed, 1);
-  EXPECT_EQ(window.view, View::Picture);
-  EXPECT_EQ(window.setup(), window.own);
-  window.bench.enter();  // at the step that was left
-  EXPECT_EQ(window.bench.lesson()->name, "specular");
-  EXPECT_EQ(window.pictures->scene().name.find("lesson 3 of "), 0U);
 }
 
 TEST(LessonView, TheListOpensLessons) {
   LessonWindow window;
   window.bench.enter();
-  EXPECT_TRUE(window.bench.showsList());
   window.draw();
   const std::vector<LessonEntry> entries = builtInLessons();
   ASSERT_EQ(rowsOfList(window).size(), entries.size());
   EXPECT_FALSE(window.press('S'));
-  window.press(NamedKey::Down);
-  window.press(NamedKey::Down);
-  window.press(NamedKey::Up);
+  for (const NamedKey key : {NamedKey::Down, NamedKey::Down, NamedKey::Up}) window.press(key);
   const IndexImage second = window.draw();
   window.press(NamedKey::Home);
   EXPECT_TRUE(window.bench.late(window.setup()));
@@ -232,24 +205,24 @@ TEST(LessonView, TheListOpensLessons) {
   EXPECT_EQ(window.bench.lesson()->name, entries[1].name);
   EXPECT_FALSE(window.bench.showsList());
   window.draw();
-  window.press('7');
-  EXPECT_TRUE(window.bench.showsList());
-  window.press(NamedKey::Escape);
-  EXPECT_FALSE(window.bench.showsList());
-  window.press('7');
-  window.press('7');
-  EXPECT_FALSE(window.bench.showsList());
-  window.press('7');
+  for (const auto& [key, shows] : {std::pair{Key{'7'}, true},
+                                   {Key{NamedKey::Escape}, false},
+                                   {Key{'7'}, true},
+                                   {Key{'7'}, false},
+                                   {Key{'7'}, true}}) {
+    window.press(key);
+    EXPECT_EQ(window.bench.showsList(), shows);
+  }
   window.draw();
   click(window, rowsOfList(window).back());
   EXPECT_EQ(window.bench.lesson()->name, entries.back().name);
-  window.bench.goTo(static_cast<int>(window.bench.lesson()->steps.size()) - 1);
-  window.press(NamedKey::PageDown);
-  EXPECT_TRUE(window.bench.showsList());  // after the last step of the last lesson
-  window.bench.start(readLesson(entries[0].file));
-  window.bench.goTo(static_cast<int>(window.bench.lesson()->steps.size()) - 1);
-  window.press(NamedKey::PageDown);
-  EXPECT_TRUE(window.bench.showsList());  // says that the lesson is done, and offers the next
+  // After the last step the list says that the lesson is done, and offers the next, if there is one.
+  for (const std::size_t k : {entries.size() - 1, std::size_t{0}}) {
+    window.bench.start(readLesson(entries[k].file));
+    window.bench.goTo(static_cast<int>(window.bench.lesson()->steps.size()) - 1);
+    window.press(NamedKey::PageDown);
+    EXPECT_TRUE(window.bench.showsList());
+  }
   window.press(NamedKey::Return);
   EXPECT_EQ(window.bench.lesson()->name, entries[1].name);
   EXPECT_EQ(window.bench.step(), 0);
@@ -260,25 +233,17 @@ TEST(LessonView, ThePointerDoesTheSame) {
   LessonWindow keys, pointer;
   begin(keys, "cycles");
   begin(pointer, "cycles");
-  const auto same = [&] { EXPECT_EQ(pointer.draw(), keys.draw()); };
-  for (int step = 0; step < 2; ++step) {
-    keys.press(NamedKey::PageDown);
-    click(pointer, pointer.bench.layout().next);
-    same();
-  }
-  keys.press('b');
-  click(pointer, pointer.bench.layout().answers[1]);
-  same();
-  keys.press(NamedKey::Return);
-  click(pointer, pointer.bench.layout().answer);
-  same();
-  keys.press('M');
-  click(pointer, placeOf(pointer, 'M').box);
-  for (LessonWindow* window : {&keys, &pointer}) window->bench.hover(0, 0);
-  same();
-  keys.press(NamedKey::PageUp);
-  click(pointer, pointer.bench.layout().back);
-  same();
+  const auto same = [&](const Key& key, const Rect& at) {
+    keys.press(key);
+    click(pointer, at);
+    for (LessonWindow* window : {&keys, &pointer}) window->bench.hover(0, 0);
+    EXPECT_EQ(pointer.draw(), keys.draw());
+  };
+  for (int step = 0; step < 2; ++step) same(NamedKey::PageDown, pointer.bench.layout().next);
+  same('b', pointer.bench.layout().answers[1]);
+  same(NamedKey::Return, pointer.bench.layout().answer);
+  same('M', placeOf(pointer, 'M').box);
+  same(NamedKey::PageUp, pointer.bench.layout().back);
 
   LessonWindow sliders;
   begin(sliders, "specular");
@@ -347,53 +312,40 @@ TEST(LessonView, TheListHasRoom) {
 
 // In the workbench, key 7 shows the list, a lesson brings its scene, and Esc brings back the window's own.
 TEST(LessonView, InTheWindow) {
-  Workbench window{readScene("teapot", 3), {}, {}};
-  window.resize(1024, 768);
-  const auto settle = [&] {
-    for (int k = 0; k < 4 && window.stale() != Workbench::Stale::Nothing; ++k) window.update();
-    ASSERT_EQ(window.stale(), Workbench::Stale::Nothing);
-  };
-  window.press({NamedKey::Letter, 'S'});
-  window.press({NamedKey::Letter, 'S'});
-  settle();
+  ReadyWorkbench window;
+  window.does("SS");
   const xnewell::Setup own = window.setup();
-  const IndexImage before = window.image();
-  window.press({NamedKey::Letter, '7'});
-  settle();
+  const IndexImage before = window.aboveStatus();
+  window.does('7');
   EXPECT_EQ(window.view(), View::Lesson);
-  window.press({NamedKey::Return});
-  settle();
+  window.does(NamedKey::Return);
   EXPECT_NE(window.setup(), own);
   std::set<std::vector<std::uint8_t>> seen;
   for (int step = 0; step < 4; ++step) {
     seen.insert(window.image().pixels);
-    window.press({NamedKey::PageDown});
-    settle();
+    window.does(NamedKey::PageDown);
   }
   EXPECT_EQ(seen.size(), 4U);
-  window.press({NamedKey::Letter, 'c'});  // the shades, in other steps
-  window.press({NamedKey::Left});
+  window.press('c');  // the shades, in other steps
+  window.press(NamedKey::Left);
   EXPECT_EQ(window.setup().picture.table.shades, 240);  // step 5 offers no control
   for (const char letter : {'w', 'e'}) {
-    window.press({NamedKey::Letter, letter});
+    window.press(letter);
     EXPECT_FALSE(window.isAsking()) << letter;
   }
   const std::string ofLesson = window.picture().scene().name;
-  window.press({NamedKey::Letter, '2'});
-  settle();
+  window.does('2');
   EXPECT_EQ(window.view(), View::DepthSort);
   EXPECT_EQ(window.picture().scene().name, ofLesson);
-  window.press({NamedKey::Escape});
-  settle();
+  window.does(NamedKey::Escape);
   EXPECT_EQ(window.view(), View::Lesson);
-  window.press({NamedKey::Escape});
-  settle();
+  window.does(NamedKey::Escape);
   EXPECT_EQ(window.view(), View::Picture);
   EXPECT_EQ(window.setup(), own);
   EXPECT_EQ(window.picture().scene().name, "teapot");
-  // All of the window but the times in the status line.
-  for (int j = 0; j < window.layout().status.y; ++j)
-    ASSERT_TRUE(std::equal(before.row(j), before.row(j) + before.width, window.image().row(j))) << j;
+  EXPECT_EQ(window.aboveStatus(), before);
+  window.does('7');  // at the step that was left
+  EXPECT_EQ(window.picture().scene().name, ofLesson);
 }
 
 // From a step that shows an event of the sort, 2 goes to this event.
@@ -406,6 +358,168 @@ TEST(LessonView, TheStepperBeginsAtTheEvent) {
   const SortRun run{*window.shown, 0};
   ASSERT_GT(window.sortedFrom, 0);
   EXPECT_EQ(run.sorted().events[static_cast<std::size_t>(window.sortedFrom - 1)].kind, Event::Kind::Cycle);
+}
+
+// Only the letters of the step's controls, of its answers and of the lesson itself have an effect. Each
+// control of a step has one.
+TEST(LessonKeys, OnlyTheStepsControlsAct) {
+  constexpr std::string_view kLessons = "2780we=";
+  int idle = 0, acted = 0;
+  forEachLesson([&](const std::string& name) {
+    LessonWindow window;
+    begin(window, name);
+    for (int step = 0; step < static_cast<int>(window.bench.lesson()->steps.size()); ++step) {
+      window.bench.goTo(step);
+      const LessonStep& now = window.bench.lesson()->steps[static_cast<std::size_t>(step)];
+      std::string offered;
+      window.draw();
+      for (char letter = '!'; letter <= '~'; ++letter) {
+        if (kLessons.find(letter) != std::string_view::npos) continue;
+        if (now.question && (letter == 'h' || (letter >= 'a' && letter <= 'd'))) continue;
+        if (withKey(window.bench.controls(), letter)) {
+          offered += letter;
+          continue;
+        }
+        SCOPED_TRACE(std::to_string(step) + letter);
+        EXPECT_FALSE(window.press(letter));
+        EXPECT_FALSE(window.bench.late(window.setup()));
+        EXPECT_EQ(window.bench.step(), step);
+        ++idle;
+      }
+      for (const char letter : offered) {
+        SCOPED_TRACE(std::to_string(step) + letter);
+        window.bench.goTo(step);
+        const IndexImage before = window.draw();
+        const Palette colors = window.palette;
+        const bool takesArrows = withKey(window.bench.controls(), letter)->takesArrows();
+        EXPECT_TRUE(window.press(letter));
+        if (takesArrows) {
+          window.press(NamedKey::Right);
+          if (letter == 'c') window.press(NamedKey::Left), window.press(NamedKey::Left);
+        }
+        if (window.bench.moving()) window.bench.tick();
+        EXPECT_TRUE(window.draw() != before || window.palette != colors);
+        ++acted;
+      }
+      const std::vector<char> keys = now.controls;  // goTo() may replace the step
+      for (const char key : keys) EXPECT_TRUE(withKey(window.bench.controls(), key)) << key;
+    }
+  });
+  EXPECT_GT(idle, 2000);
+  EXPECT_GE(acted, 40);
+}
+
+// In every state of every step no key stands twice in the table, each has words, and each control has a key
+// of its own.
+TEST(LessonKeys, KeysAreUniqueAndExplained) {
+  int states = 0;
+  forEachLesson([&](const std::string& name) {
+    LessonWindow window;
+    begin(window, name);
+    forEachState(window, [&](const std::string& place) {
+      SCOPED_TRACE(place);
+      std::set<std::string> taken;
+      const KeyTable table = window.bench.keys();
+      for (const KeyRow& row : table) {
+        EXPECT_FALSE(row.does.empty());
+        for (const Key& key : row.keys) EXPECT_TRUE(taken.insert(nameOf(key)).second) << nameOf(key);
+      }
+      const std::size_t others = window.bench.ownKeys().size();
+      for (const Control& control : window.bench.controls())
+        if (control.kind != Control::Kind::Button) {
+          const KeyRow* const row = rowOf(table, control.key);
+          ASSERT_TRUE(row);
+          EXPECT_GE(row - table.data(), static_cast<std::ptrdiff_t>(others)) << control.key;
+        }
+      ++states;
+    });
+  });
+  EXPECT_GT(states, 100);
+}
+
+// A lesson has the same letters as the views. Where a letter chooses an answer, the control has another one.
+TEST(LessonKeys, AnswersKeepTheirLetters) {
+  const auto keysWith = [](int answers) {
+    std::string list;
+    for (int k = 0; k < answers; ++k)
+      list += std::string{k > 0 ? ", " : ""} + R"({"text": "t", "says": "s", "shown": {}, "holds": )" +
+              (k == 0 ? "true" : "false") + "}";
+    LessonWindow window;
+    window.bench.enter();
+    window.bench.start(parseLesson(
+        R"({"title": "t", "steps": [{"heading": "h", "caption": ["c"], "scene": "sticks",
+            "controls": ["ka", "kd", "shades", "light"])" +
+            (answers > 0 ? R"(, "question": {"asks": "q", "answers": [)" + list + "]}" : "") + "}]}",
+        "l.json", std::filesystem::path{XNEWELL_DATA_DIR} / "lessons"));
+    window.draw();
+    std::string keys;
+    for (const Control& control : window.bench.controls())
+      if (control.kind != Control::Kind::Button) {
+        keys += control.key;
+        EXPECT_TRUE(window.press(control.key));
+        EXPECT_EQ(window.bench.list().focus(), control.id());
+        EXPECT_FALSE(window.bench.page().question && window.bench.page().question->chosen);
+      }
+    return keys;
+  };
+  EXPECT_EQ(keysWith(0), "adcl");
+  EXPECT_EQ(keysWith(2), "kdcl");
+  EXPECT_EQ(keysWith(3), "kdxl");
+  EXPECT_EQ(keysWith(4), "kfxl");
+}
+
+// The first control that the arrows change is selected when a step begins; Tab goes through all of them.
+TEST(LessonKeys, TheFirstControlIsSelected) {
+  LessonWindow window;
+  begin(window, "specular");  // ks, n and light
+  for (const char key : {'s', 'n', 'l', 's'}) {
+    EXPECT_EQ(window.bench.list().focus(), ControlId{key});
+    window.press(NamedKey::Tab);
+  }
+  window.bench.goTo(1);  // it offers nothing
+  EXPECT_EQ(window.bench.list().focus(), std::nullopt);
+  EXPECT_FALSE(window.press(NamedKey::Left));
+}
+
+// The step of the depth sort's run is changed like a number: by arrows, to its ends, and by typing.
+TEST(LessonKeys, GoesThroughARun) {
+  LessonWindow window;
+  begin(window, "cycles");
+  window.bench.goTo(1);
+  const auto event = [&] {
+    window.draw();
+    return withKey(window.bench.controls(), 'v')->words;
+  };
+  const std::string at = event(), all = at.substr(at.find(" of "));
+  window.press(NamedKey::Home);
+  EXPECT_EQ(event(), "1" + all);
+  window.press(NamedKey::Left);
+  EXPECT_EQ(event(), "1" + all);
+  window.press({NamedKey::Right, 0, true});
+  EXPECT_EQ(event(), "11" + all);
+  window.press(NamedKey::Down);
+  EXPECT_EQ(event(), "10" + all);
+  window.press(NamedKey::End);
+  EXPECT_EQ(event(), all.substr(4) + all);
+  window.press('=');
+  ASSERT_TRUE(window.question);
+  EXPECT_NE(window.question->take("0"), "");
+  EXPECT_EQ(window.question->take("3"), "");
+  EXPECT_EQ(event(), "3" + all);
+}
+
+// The page follows changes that were made elsewhere, as undo makes them.
+TEST(LessonKeys, FollowsTheSetup) {
+  LessonWindow window;
+  begin(window, "colormap-tricks");
+  const IndexImage before = window.draw();
+  const xnewell::Setup first = window.setup();
+  window.press('H');
+  window.draw();
+  EXPECT_FALSE(window.bench.late(window.setup()));
+  window.change('u', [&](xnewell::Setup& s) { s = first; });
+  EXPECT_TRUE(window.bench.late(window.setup()));
+  EXPECT_EQ(window.draw(), before);
 }
 
 }  // namespace xnewell::THIS_FILE
