@@ -1,10 +1,16 @@
-#include "x11/pixel/pixel_view.h"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
+
 #include "shading/explain/pixel_history.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/x11/support/ready_workbench.h"
+#include "tests/x11/support/staged_view.h"
+#include "x11/drawing/wording.h"
+#include "x11/kit/typed_line.h"
 #include "x11/lessons/lesson.h"
+#include "x11/pixel/pixel_view.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -29,6 +35,51 @@ struct PixelWindow : ReadyWorkbench {
   }
 };
 
+Picture made(Shading method, const char* scene = "teapot") {
+  PictureCache pictures{readScene(scene, 4)};
+  PictureSettings s = pictures.scene().settings;
+  s.camera = pictures.scene().camera;
+  s.width = 120, s.height = 90;
+  s.shading = method;
+  return pictures.make(s, 8);
+}
+
+std::vector<page::Question> questionsAt(const Picture& picture) {
+  return page::ofPixel(std::make_shared<const PixelStory>(picture, 45, 45), {.vertex = 0, .channel = 0})
+      .questions;
+}
+
+/// View 8 of a window, with the line that the student types on.
+struct Asked : StagedView {
+  Asked() : StagedView{"teapot", 4, 1024, 768} { draws(); }
+  void draws() {
+    std::ranges::fill(image.pixels, std::uint8_t{0});
+    draw(bench);
+  }
+  void predicts() {
+    press(bench, "y");
+    line.ask(question.value());
+    draws();
+  }
+  void types(const std::string& text) {
+    for (int k = 0; k < 8; ++k) line.press(NamedKey::Backspace);  // what was not accepted
+    for (const char c : text) line.press({NamedKey::Letter, c});
+    line.press(NamedKey::Return);
+    draws();
+  }
+  void showsAll() {
+    press(bench, NamedKey::Escape);
+    draws();
+  }
+  void givesUp() {
+    line.press(NamedKey::Escape);
+    draws();
+  }
+
+  PixelView bench{*this, [this] { return Subject{pictures.scene(), glm::dvec3{0.0}, 1.5}; }};
+  TypedLine line;
+};
+
 }  // namespace
 
 // A click on the picture of view 1 explains the pixel under the pointer; a drag turns the scene instead. A
@@ -39,58 +90,45 @@ TEST(PixelView, AClickExplains) {
   const int x = at.x + at.width / 2 + 60, y = at.y + at.height / 2;
   const std::uint32_t face =
       b.picture().faceImage()[static_cast<std::size_t>(y - at.y) * at.width + (x - at.x)] - 1;
-  ASSERT_TRUE(b.grab(x, y));
-  b.dragTo(x + 1, y - 1);
-  b.settle();
-  b.finish();
+  const auto drag = [&](int dx, int dy) {
+    ASSERT_TRUE(b.grab(x, y));
+    b.dragTo(x + dx, y + dy);
+    b.settle();
+    b.finish();
+  };
+  drag(1, -1);
   EXPECT_EQ(b.view(), View::Pixel);
   EXPECT_NE(b.bench().status().find(": face " + std::to_string(face)), std::string::npos)
       << b.bench().status();
   EXPECT_EQ(b.setup(), b.defaults()) << "nothing was turned";
-
-  b.press('1');
-  b.finish();
-  ASSERT_TRUE(b.grab(x, y));
-  b.dragTo(x + 40, y);
-  b.settle();
-  b.finish();
+  b.does('1');
+  drag(40, 0);
   EXPECT_EQ(b.view(), View::Picture);
   EXPECT_NE(b.setup(), b.defaults());
 }
 
-// The arrows move by one pixel, with Shift by ten; g goes to a pixel by its numbers, and says what it allows.
+// The arrows move by one pixel, with Shift by ten, and stay within the picture; g goes to a pixel by its
+// numbers, and a click in this view's picture chooses the pixel there.
 TEST(PixelView, KeysChooseThePixel) {
   PixelWindow b;
-  b.press('g');
-  for (const char c : std::string{"100,60"}) b.press(c);
+  const auto expectPixel = [&](int i, int j) {
+    b.finish();
+    EXPECT_TRUE(b.status().starts_with("pixel " + std::to_string(i) + ", " + std::to_string(j) + " of "))
+        << b.status();
+    EXPECT_EQ(b.bench().inspected(), b.cellThere());
+  };
+  b.type("g100,60");
   b.does(NamedKey::Return);
-  EXPECT_TRUE(b.status().starts_with("pixel 100, 60 of ")) << b.status();
+  expectPixel(100, 60);
   b.does(NamedKey::Right);
   b.does({NamedKey::Down, 0, true});
-  EXPECT_TRUE(b.status().starts_with("pixel 101, 70 of ")) << b.status();
-  EXPECT_EQ(b.bench().inspected(), b.cellThere());
-  b.press('g');
-  for (const char c : std::string{"9999,1"}) b.press(c);
-  b.press(NamedKey::Return);
-  EXPECT_TRUE(b.isAsking());
-  b.does(NamedKey::Escape);
-  // At the picture's border the pixel stays.
+  expectPixel(101, 70);
   for (int k = 0; k < 60; ++k) b.press({NamedKey::Up, 0, true});
-  b.finish();
-  EXPECT_TRUE(b.status().starts_with("pixel 101, 0 of ")) << b.status();
-}
-
-// A click in this view's picture chooses the pixel there.
-TEST(PixelView, TheMouseChoosesThePixel) {
-  PixelWindow b;
-  const Rect at = b.bench().picture(b.layout());
+  expectPixel(101, 0);
+  const Rect at = b.bench().picture(b.layout()), all = b.bench().frame(b.layout());  // shown smaller
   ASSERT_TRUE(b.grab(at.x + 30, at.y + 40));
   b.settle();
-  b.finish();
-  const Rect all = b.bench().frame(b.layout());  // shown smaller
-  const int i = 61 * all.width / (2 * at.width), j = 81 * all.height / (2 * at.height);
-  EXPECT_TRUE(b.status().starts_with("pixel " + std::to_string(i) + ", " + std::to_string(j) + " of "))
-      << b.status();
+  expectPixel(61 * all.width / (2 * at.width), 81 * all.height / (2 * at.height));
 }
 
 // A changed setting keeps the pixel. In any method the cell that is explained is the one that the window
@@ -121,8 +159,7 @@ TEST(PixelView, AHueIsStated) {
   b.does('H');
   EXPECT_NE(b.image(), before);
   const IndexImage blue = b.image();
-  b.press('1');
-  b.finish();
+  b.does('1');
   b.does('8');
   EXPECT_EQ(b.image(), blue) << "as if it were drawn for the first time";
 }
@@ -131,8 +168,7 @@ TEST(PixelView, AHueIsStated) {
 // lecture, whose pages PgUp and PgDn turn.
 TEST(PixelView, HGoesThroughTheHistory) {
   PixelWindow b;
-  b.type("O");  // a sort by z paints all that is behind, too
-  b.finish();
+  b.does("O");  // a sort by z paints all that is behind, too
   const auto explained = [&] { return b.bench().report(); };
   const PixelHistory history =
       historyOf(b.picture(), b.picture().settings().width / 2, b.picture().settings().height / 2);
@@ -182,22 +218,6 @@ TEST(PixelView, AQuestionEndsWithItsPage) {
   }
 }
 
-// In a lesson 8 explains a pixel of the lesson's scene, and 7 goes back.
-TEST(PixelView, ExplainsInALesson) {
-  ReadyWorkbench b;
-  b.teach(readLesson(XNEWELL_DATA_DIR "/lessons/equation-by-hand.json"));
-  b.finish();
-  b.press('8');
-  b.finish();
-  EXPECT_EQ(b.view(), View::Pixel);
-  EXPECT_EQ(b.scene().divisions, 3) << "the lesson's teapot";
-  EXPECT_EQ(b.setup().picture.light.n, 5);
-  EXPECT_TRUE(b.bench().status().starts_with("pixel ")) << b.bench().status();
-  b.press('7');
-  b.finish();
-  EXPECT_EQ(b.view(), View::Lesson);
-}
-
 // The pixel is that of the step that the keys go to, however quickly they are pressed.
 TEST(PixelView, ExplainsAStepThatIsNotDrawnYet) {
   std::vector<std::string> said;
@@ -213,6 +233,131 @@ TEST(PixelView, ExplainsAStepThatIsNotDrawnYet) {
     said.push_back(b.bench().status());
   }
   EXPECT_EQ(said.front(), said.back());
+}
+
+// A typed number is right within half of its last digit. One decimal is too few, and more than the page shows
+// do not count. Terms may be typed as they are written, though they are rounded to add up.
+TEST(Predict, RightIsWithinHalfOfTheLastDigit) {
+  const page::Question cosine{1, "N.L", 0.89476, 0.89476};
+  for (const char* const right : {"0.89", "0.895", "0.8948", "0.89481", ".89", " +0.895 "})
+    EXPECT_TRUE(cosine.judged(right).isRight) << right;
+  for (const char* const wrong : {"0.88", "0.90", "0.894", "0.8946", "-0.89"}) {
+    EXPECT_FALSE(cosine.judged(wrong).isRight) << wrong;
+    EXPECT_EQ(cosine.judged(wrong).complaint, "") << wrong;
+  }
+  for (const char* const few : {"0.9", "1", "1."})
+    EXPECT_EQ(cosine.judged(few).complaint, "Type at least two decimals.") << few;
+  for (const char* const none : {"", "x", "0.8x", "nan"})
+    EXPECT_EQ(cosine.judged(none).complaint, "Type a number.") << none;
+  const page::Question term{3, "the diffuse term", 0.56374, 0.5638};
+  EXPECT_TRUE(term.judged("0.5638").isRight);
+  EXPECT_TRUE(term.judged("0.5637").isRight);
+  EXPECT_FALSE(term.judged("0.5636").isRight);
+  const page::Question cell{6, "the cell", 213, 213, 0};
+  EXPECT_TRUE(cell.judged("213").isRight);
+  EXPECT_FALSE(cell.judged("214").isRight);
+}
+
+// What the page writes is right for each value that it asks, in the order of the chain. Without an equation
+// only the cell can be asked.
+TEST(Predict, ValuesAreThoseOfTheChain) {
+  const Picture phong = made(Shading::Phong);
+  const std::vector<page::Question> all = questionsAt(phong);
+  ASSERT_EQ(all.size(), 6u);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    EXPECT_EQ(static_cast<std::size_t>(all[k].rank), k + 1);
+    EXPECT_TRUE(all[k].judged(fixed(all[k].written, all[k].decimals)).isRight) << all[k].name;
+  }
+  EXPECT_EQ(all.back().value, phong.image().row(45)[45]);
+  EXPECT_NEAR(all[4].written, all[2].written + all[3].written + 0.18, 1e-9);
+  const std::vector<page::Question> unlit = questionsAt(made(Shading::Depth));
+  ASSERT_EQ(unlit.size(), 1u);
+  EXPECT_EQ(unlit.front().name, "the cell");
+}
+
+// y hides a number until it is typed: the words to copy and the mark in the strip are hidden too. The first
+// try counts. Esc gives up, shows the number and does not count.
+TEST(Predict, AsksAndScores) {
+  Asked view;
+  const IndexImage before = view.image;
+  const std::size_t words = view.bench.report().size();
+  ASSERT_TRUE(view.bench.inspected());
+  view.predicts();
+  EXPECT_NE(view.image, before);
+  EXPECT_FALSE(view.bench.inspected());
+  EXPECT_EQ(view.bench.report().size(), 1u) << "only the pixel";
+  view.types("7.77");
+  ASSERT_TRUE(view.line.isOpen()) << "another try";
+  view.givesUp();
+  EXPECT_TRUE(view.notices.back().starts_with("N.L is ")) << view.notices.back();
+  EXPECT_TRUE(view.notices.back().ends_with("0 of 1 right at the first try.")) << view.notices.back();
+  EXPECT_NE(view.image, before) << "what follows can still be asked";
+  EXPECT_EQ(view.bench.report().size(), 1u);
+  view.showsAll();
+  EXPECT_EQ(view.image, before) << "all is shown again";
+  EXPECT_EQ(view.bench.report().size(), words);
+
+  // To give up without a try is no answer. The last value is the cell, which the strip had marked.
+  for (int k = 0; k < 4; ++k) view.predicts(), view.givesUp();
+  EXPECT_TRUE(view.notices.back().ends_with("0 of 1 right at the first try.")) << view.notices.back();
+  EXPECT_FALSE(view.bench.inspected());
+  view.showsAll();
+  const int cell = view.bench.inspected().value();
+  view.predicts();
+  EXPECT_TRUE(view.line.pick(cell));
+  view.draws();
+  EXPECT_FALSE(view.line.isOpen());
+  EXPECT_EQ(view.notices.back(),
+            "Right: the cell is " + std::to_string(cell) + ". 1 of 2 right at the first try.");
+
+  // The strip marks the cell of an answer that is wrong. A cosine has none.
+  view.predicts();
+  EXPECT_FALSE(view.line.pick(cell));
+  for (int k = 0; k < 5; ++k) view.givesUp(), view.predicts();
+  view.types(std::to_string(cell - 1));
+  EXPECT_TRUE(view.line.isOpen());
+  EXPECT_EQ(view.bench.inspected(), cell - 1);
+}
+
+// What was kept is hidden while a number is asked: it may be that number.
+TEST(Predict, HidesWhatWasKept) {
+  Asked plain, kept;
+  kept.press(kept.bench, "k");
+  kept.draws();
+  EXPECT_NE(kept.image, plain.image);
+  plain.predicts(), kept.predicts();
+  EXPECT_EQ(kept.image, plain.image);
+  kept.showsAll();
+  EXPECT_NE(kept.image, plain.image);
+
+  plain.predicts();
+  const int cell = kept.bench.inspected().value();
+  plain.press(plain.bench, "k");
+  EXPECT_EQ(plain.notices.back().find(std::to_string(cell)), std::string::npos) << plain.notices.back();
+}
+
+// While a number is asked no other line gives it away: each value of the chain hides what follows from it.
+TEST(Predict, NoLineTellsWhatIsAsked) {
+  for (const Shading method : {Shading::Flat, Shading::Gouraud, Shading::Phong})
+    for (const char* scene : {"teapot", "spotlight"}) {
+      const auto story = std::make_shared<const PixelStory>(made(method, scene), 45, 45);
+      const page::Page page = page::ofPixel(story, {.vertex = 0, .channel = 0});
+      std::string all;
+      for (const std::string& line : page::asLines(page)) all += line + '\n';
+      for (const page::Question& asked : page.questions) {
+        std::string hidden;
+        for (const std::string& line : page::asLines(page, {asked.rank})) hidden += line + '\n';
+        const std::string value = fixed(asked.written, asked.decimals);
+        EXPECT_NE(all.find(value), std::string::npos) << asked.name;
+        EXPECT_NE(hidden.find('?'), std::string::npos) << asked.name;
+        // Vectors and weights may have the same digits, but no value beside a name or a sign.
+        for (const char* before : {"= ", "+ ", "N.L ", "R.V ", "I ", "cell "})
+          if (std::abs(asked.written) > 1e-3) {
+            EXPECT_EQ(hidden.find(before + value + '\n'), std::string::npos) << asked.name << '\n' << hidden;
+          }
+      }
+      EXPECT_EQ(all.find('?'), std::string::npos);
+    }
 }
 
 }  // namespace xnewell::THIS_FILE

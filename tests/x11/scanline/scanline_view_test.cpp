@@ -1,14 +1,16 @@
-#include "x11/scanline/scanline_view.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <set>
+#include <sstream>
 
+#include "tests/x11/support/command_fixture.h"
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/drawing/wording.h"
 #include "x11/scanline/scanline_page.h"
+#include "x11/scanline/scanline_view.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -67,10 +69,8 @@ TEST(ScanlineView, TheMouseChooses) {
   const ScanSample target = b.run().samples()[b.run().samples().size() / 3];
   const GridWindow window = gridWindow(at.grid, b.run(), b.step());
   const int row = b.run().spanOf(target).row;
-  static_cast<void>(b.grab(at.grid.x + (target.column - window.column) * window.side + 1,
-                           at.grid.y + (row - window.row) * window.side + 1));
-  b.settle();
-  b.finish();
+  b.click(at.grid.x + (target.column - window.column) * window.side + 1,
+          at.grid.y + (row - window.row) * window.side + 1);
   EXPECT_EQ(b.sample().column, target.column);
   EXPECT_EQ(b.run().spanOf(b.sample()).row, row);
 
@@ -79,9 +79,7 @@ TEST(ScanlineView, TheMouseChooses) {
   const PictureSettings& settings = b.picture().settings();
   const int i = settings.width / 2 / scale * scale, j = settings.height / 2 / scale * scale;
   const int face = b.picture().seen(j, j + 1).faces[static_cast<std::size_t>(i)];
-  static_cast<void>(b.grab(at.overview.x + i / scale, at.overview.y + j / scale));
-  b.settle();
-  b.finish();
+  b.click(at.overview.x + i / scale, at.overview.y + j / scale);
   EXPECT_NE(b.view0().polygon(), before);
   EXPECT_EQ(b.run().face(), face);
 }
@@ -96,8 +94,7 @@ TEST(ScanlineView, SettingsKeepThePolygon) {
   EXPECT_EQ(b.run().bits(), 8);
   EXPECT_GT(b.run().mostDrift(), 1000 * fine);
   EXPECT_EQ(b.view0().polygon(), polygon);
-  b.type("SSS");
-  b.finish();
+  b.does("SSS");
   EXPECT_EQ(b.view0().polygon(), polygon);
   while (b.setup().picture.shading != Shading::Flat) b.does('S');
   EXPECT_TRUE(b.run().isConstant());
@@ -155,8 +152,7 @@ TEST(ScanlineView, EarlyKeysCount) {
   ScanlineWindow b;
   b.does('1');
   b.press('0');
-  b.press(NamedKey::Home);
-  b.finish();
+  b.does(NamedKey::Home);
   EXPECT_EQ(b.step(), 0);
 }
 
@@ -194,16 +190,6 @@ TEST(ScanlineView, TheBoundOfTheDriftHolds) {
     }
     EXPECT_EQ(told, static_cast<int>(std::ceil(most)));
   }
-}
-
-// 8 explains the pixel of the step.
-TEST(ScanlineView, EightExplainsThePixel) {
-  ScanlineWindow b;
-  const int face = b.picture().snapped().faces[static_cast<std::size_t>(b.run().face())].number;
-  b.does('8');
-  EXPECT_EQ(b.view(), View::Pixel);
-  EXPECT_NE(b.bench().status().find(": face " + std::to_string(face)), std::string::npos)
-      << b.bench().status();
 }
 
 // The corners of a flat surface have one N, so no sum of them is short: the finding does not say that one is.
@@ -259,6 +245,43 @@ TEST(ScanlineView, TheBooksLinesRun) {
     other += sample.steppedCell != sample.directCell;
   }
   EXPECT_GT(other, 0);
+}
+
+// The lines of a filled polygon are JSON. Every sample of its spans has a pixel line, by steps and directly
+// the same cell, and the values of a row are its first value and its increment.
+TEST_F(CommandTest, TracesAScanline) {
+  const auto end = runProgram(
+      {"trace", "teapot", "--scanline", "59", "--shade", "gouraud", "--size", "200x150", "--divisions", "3"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  std::istringstream lines{end.out};
+  Json row, last;
+  int samples = 0, spanned = 0, edges = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const Json e = Json::parse(line);
+    const std::string event = e.at("event");
+    EXPECT_FALSE(e.at("says").get<std::string>().empty());
+    edges += event == "edge";
+    if (event == "row") {
+      row = e;
+      spanned += e.at("to").get<int>() - e.at("from").get<int>() + 1;
+    }
+    if (event == "pixel") {
+      ++samples;
+      EXPECT_EQ(e.at("step"), samples);
+      EXPECT_EQ(e.at("cell"), e.at("direct_cell"));
+      EXPECT_EQ(e.at("pixel").at(1), row.at("row"));
+      const Json& value = row.at("values").at("value");
+      const double along = e.at("pixel").at(0).get<double>() + 0.5 - row.at("left").at("x").get<double>();
+      EXPECT_NEAR(value.at("left").get<double>() + along * value.value("increment", 0.0),
+                  e.at("by_steps").get<double>(), 1e-4);
+    }
+    last = e;
+  }
+  EXPECT_EQ(last.at("event"), "summary");
+  EXPECT_EQ(last.at("samples"), samples);
+  EXPECT_EQ(samples, spanned);
+  EXPECT_GT(samples, 50);
+  EXPECT_EQ(edges, 6);
 }
 
 }  // namespace xnewell::THIS_FILE
