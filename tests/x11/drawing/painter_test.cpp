@@ -1,5 +1,4 @@
-#include "x11/drawing/painter.h"
-
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +11,10 @@
 #include <string_view>
 #include <utility>
 
+#include "x11/drawing/labels.h"
+#include "x11/drawing/painter.h"
 #include "x11/drawing/pen.h"
+#include "x11/drawing/wording.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -174,28 +176,6 @@ TEST(Painter, TextStandsOnItsBaseline) {
   }
 }
 
-// Widths count characters, not bytes, in multiples of the pitch: 6, 6, 8 and 12.
-TEST(Painter, TextWidths) {
-  EXPECT_EQ(textWidth("33\u00B0"), 18);
-  EXPECT_EQ(textWidth("33\u00B0", Voice::Bold), 18);
-  EXPECT_EQ(textWidth("Ia", Voice::Caps), 16);
-  EXPECT_EQ(textWidth("cell 148", Voice::Title), 96);
-  EXPECT_EQ(textWidth(""), 0);
-}
-
-// Bold is the plain text and the same one pixel to the right; CAPS is the capitals, 8 px apart.
-TEST(Painter, VoicesAreMadeOfThePlainOne) {
-  const auto plain = [](std::string_view s, int dx) {
-    return drawn([&](Painter& p, int x, int y) { p.text(x + dx, y, s, 1); });
-  };
-  Pixels twice = plain("Gouraud", 0);
-  twice.merge(plain("Gouraud", 1));
-  EXPECT_EQ(drawn([](Painter& p, int x, int y) { p.text(x, y, "Gouraud", 1, Voice::Bold); }), twice);
-  Pixels capitals = plain("I", 0);
-  capitals.merge(plain("P", 8));
-  EXPECT_EQ(drawn([](Painter& p, int x, int y) { p.text(x, y, "ip", 1, Voice::Caps); }), capitals);
-}
-
 // Right-aligned text of any length ends at the same place, in every voice.
 TEST(Painter, RightAligned) {
   for (const VoiceRow& voice : kVoices)
@@ -206,25 +186,6 @@ TEST(Painter, RightAligned) {
       const int width = textWidth(s, voice.id);
       EXPECT_EQ(right, drawn([&](Painter& p, int x, int y) { p.text(x - width, y, s, 1, voice.id); }));
     }
-}
-
-// The four triangles are mirror images of each other, of 1 + 3 + 5 + ... pixels.
-TEST(Painter, TrianglesAreMirrored) {
-  const auto shape = [](Direction to) {
-    return drawn([&](Painter& p, int x, int y) { p.triangle(x, y, 4, to, 1); });
-  };
-  const Pixels right = shape(Direction::Right);
-  EXPECT_EQ(right.size(), 16u);
-  Pixels left, down, up;
-  for (const auto& [x, y] : right) {
-    left.emplace(3 - x, y);
-    down.emplace(y, x);
-    up.emplace(y, 3 - x);
-  }
-  EXPECT_EQ(shape(Direction::Left), left);
-  EXPECT_EQ(shape(Direction::Down), down);
-  EXPECT_EQ(shape(Direction::Up), up);
-  EXPECT_TRUE(right.contains({3, 3}));  // the tip
 }
 
 // A disc has the pixels whose centres are nearer than radius + 1/2. The rings inside it fill it, each pixel
@@ -246,32 +207,64 @@ TEST(Painter, DiscIsItsRings) {
   }
 }
 
-// A key cap is 15 x 15 without its corners. It is wider only for longer names, with 4 px around the letters.
-TEST(Painter, KeyCapsFitTheirNames) {
-  const KeyCapCells cells{3, 4, 5, 6};
-  const auto width = [&](std::string_view name) {
-    IndexImage image{120, 30, 0};
-    return Painter{image}.keyCap(0, 0, name, cells);
-  };
-  EXPECT_EQ(width("s"), 15);
-  EXPECT_EQ(width("Space"), 38);
-  const Pixels cap = drawn([&](Painter& p, int x, int y) { p.keyCap(x, y, "s", cells); });
-  EXPECT_EQ(cap.size(), 15u * 15u - 4u);
-  EXPECT_FALSE(cap.contains({0, 0}) || cap.contains({14, 14}));
-  EXPECT_TRUE(cap.contains({0, 1}) && cap.contains({14, 13}));
+// Labels beside each other stay apart by a gap, so that each can be read by itself.
+TEST(Labels, KeepAGap) {
+  IndexImage image{400, 40, 0};
+  const CellPlan plan{TableKind::Linear};
+  int placed = 0;
+  for (int apart = 0; apart < 160; ++apart) {
+    SCOPED_TRACE(apart);
+    Labels labels{Painter{image}, plan, {0, 0, 400, 40}};
+    const auto a = labels.place(150, 20, "flat 6x6, z far", false),
+               b = labels.place(150 + apart, 20, "flat 6x6, z-buf 32", apart % 2 == 0);
+    ASSERT_TRUE(a);
+    if (!b) continue;
+    ++placed;
+    EXPECT_LE(b->x + b->width, 400);
+    if (a->y + a->height <= b->y || b->y + b->height <= a->y) continue;
+    EXPECT_GE(std::max(a->x, b->x) - std::min(a->x + a->width, b->x + b->width), Labels::kGap);
+  }
+  EXPECT_GT(placed, 80);
 }
 
-// Opposite arrows are mirror images within their caps, apart from edges and shadow.
-TEST(Painter, ArrowCapsAreMirrored) {
-  const auto arrow = [](Direction to) {
-    return drawn([&](Painter& p, int x, int y) { p.keyCap(x, y, to, {0, 0, 0, 1}); });
-  };
-  Pixels right, down;
-  for (const auto& [x, y] : arrow(Direction::Left)) right.emplace(14 - x, y);
-  for (const auto& [x, y] : arrow(Direction::Up)) down.emplace(x, 14 - y);
-  EXPECT_EQ(arrow(Direction::Right), right);
-  EXPECT_EQ(arrow(Direction::Down), down);
-  EXPECT_EQ(right.size(), 16u);
+// What must stay visible is not covered, and a label without room is left out.
+TEST(Labels, CoverNothing) {
+  IndexImage image{100, 40, 0};
+  const CellPlan plan{TableKind::Linear};
+  Labels labels{Painter{image}, plan, {0, 0, 100, 40}};
+  labels.avoid({0, 0, 100, 40});
+  EXPECT_FALSE(labels.place(50, 20, "flat", false));
+  EXPECT_EQ(std::ranges::count(image.pixels, 0), 100 * 40);
+}
+
+// Broken text loses no word, and no line is longer than asked. Letters are counted, not bytes.
+TEST(Wording, BreaksAtSpaces) {
+  EXPECT_THAT(broken("one two three", 7), testing::ElementsAre("one two", "three"));
+  EXPECT_THAT(broken("abcdefgh ij", 4), testing::ElementsAre("abcd", "efgh", "ij"));
+  EXPECT_THAT(broken("\xC3\xA4\xC3\xB6\xC3\xBC x", 3), testing::ElementsAre("\xC3\xA4\xC3\xB6\xC3\xBC", "x"));
+  EXPECT_THAT(broken("", 5), testing::IsEmpty());
+}
+
+TEST(Wording, WritesNumbers) {
+  EXPECT_EQ(fixed(0.00416, 4), "0.0042");
+  EXPECT_EQ(fixed(-0.00001, 4), "0.0000");
+  EXPECT_EQ(fixed(-0.5, 1), "-0.5");
+  EXPECT_EQ(msText(12.345), "12.35");
+  EXPECT_EQ(msText(1), "1.00");
+  EXPECT_EQ(msText(0.5), "0.500");
+  EXPECT_EQ(msText(0.1), "0.100");
+  EXPECT_EQ(msText(0.012345), "0.0123");
+  EXPECT_EQ(msText(0.00101), "0.00101");
+  EXPECT_EQ(msText(1e-6), "0.000001");
+  EXPECT_EQ(msText(0), "0.00");
+  EXPECT_EQ(grouped(0), "0");
+  EXPECT_EQ(grouped(999), "999");
+  EXPECT_EQ(grouped(1000), "1,000");
+  EXPECT_EQ(grouped(-123456), "-123,456");
+  EXPECT_EQ(grouped(1234567), "1,234,567");
+  EXPECT_EQ(counted(0, "cut"), "no cuts");
+  EXPECT_EQ(counted(1, "cut"), "1 cut");
+  EXPECT_EQ(counted(1200, "cut"), "1,200 cuts");
 }
 
 }  // namespace xnewell::THIS_FILE

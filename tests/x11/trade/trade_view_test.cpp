@@ -1,12 +1,12 @@
-#include "x11/trade/trade_view.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <random>
 #include <thread>
 
 #include "geometry/files/text_file.h"
@@ -15,10 +15,10 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/staged_view.h"
 #include "x11/drawing/pen.h"
+#include "x11/trade/trade_view.h"
+#include "x11/views/trade_chart.h"
 
 namespace xnewell::THIS_FILE {
-
-// The view of the trade, without a server.
 
 namespace {
 
@@ -48,6 +48,8 @@ struct Measured6 {
 };
 
 }  // namespace
+
+// The view of the trade, without a server.
 
 // What is chosen at first is the fastest that stays within the limit, but for ties.
 TEST(TradeView, ChoosesWithinTheLimit) {
@@ -139,10 +141,21 @@ TEST(TradeView, AMarkCanBeClicked) {
   }
 }
 
-// The handle of the limit's line can be dragged on both sides of the chart's edge.
-TEST(TradeView, TheLimitsHandleCanBeDragged) {
+// The slider, the line of the limit and its handle, on both sides of the chart's edge, can be dragged; they
+// move together.
+TEST(TradeView, TheLimitCanBeDragged) {
   Measured6 m;
-  const Rect chart = m.at().chart;
+  const Rect track = m.bench.list().find({'E'})->track, chart = m.at().chart;
+  ASSERT_TRUE(m.bench.grab(track.x + track.width / 2, track.y));
+  m.bench.drop();
+  EXPECT_NEAR(m.bench.limit(), valueAt(kLimits, 0.5), 1e-4);
+  m.stage.draw(m.bench);
+  const TradeScale scale{chart, m.bench.trade(), {}};
+  // Far from all marks there is only the line.
+  ASSERT_TRUE(m.bench.grab(chart.x + chart.width - 2, scale.y(m.bench.limit())));
+  m.bench.dragTo(chart.x + chart.width - 2, chart.y + chart.height / 3);
+  m.bench.drop();
+  EXPECT_NEAR(m.bench.limit(), scale.errorAt(chart.y + chart.height / 3), 1e-12);
   m.press("=");
   ASSERT_EQ(m.stage.question->take("0.1"), "");
   m.stage.draw(m.bench);
@@ -153,23 +166,6 @@ TEST(TradeView, TheLimitsHandleCanBeDragged) {
     m.bench.drop();
   }
   EXPECT_FALSE(m.bench.grab(handle.x + handle.width, handle.y + 1));
-}
-
-// The slider and the line of the limit can be dragged; both move together.
-TEST(TradeView, TheLimitCanBeDragged) {
-  Measured6 m;
-  const Rect track = m.bench.list().find({'E'})->track;
-  ASSERT_TRUE(m.bench.grab(track.x + track.width / 2, track.y));
-  m.bench.drop();
-  EXPECT_NEAR(m.bench.limit(), valueAt(kLimits, 0.5), 1e-4);
-  m.stage.draw(m.bench);
-  const Rect chart = m.at().chart;
-  const TradeScale scale{chart, m.bench.trade(), {}};
-  // Far from all marks there is only the line.
-  ASSERT_TRUE(m.bench.grab(chart.x + chart.width - 2, scale.y(m.bench.limit())));
-  m.bench.dragTo(chart.x + chart.width - 2, chart.y + chart.height / 3);
-  m.bench.drop();
-  EXPECT_NEAR(m.bench.limit(), scale.errorAt(chart.y + chart.height / 3), 1e-12);
 }
 
 // Return uses the chosen combination in all views; 5 also puts it beside the set-up without short cuts.
@@ -220,12 +216,10 @@ TEST(TradeView, ShowsTheWorstPlaces) {
 TEST(TradeView, HasOtherAxes) {
   Measured6 m;
   const IndexImage first = m.stage.part(m.at().chart);
-  m.press("X");
-  EXPECT_NE(m.stage.part(m.at().chart).pixels, first.pixels);
-  m.press("X");
-  EXPECT_EQ(m.stage.part(m.at().chart).pixels, first.pixels);
-  m.press("Y");
-  EXPECT_NE(m.stage.part(m.at().chart).pixels, first.pixels);
+  for (const auto& [key, same] : {std::pair{"X", false}, {"X", true}, {"Y", false}}) {
+    m.press(key);
+    EXPECT_EQ(m.stage.part(m.at().chart) == first, same);
+  }
   for (const TradeCostRow& cost : kTradeCosts)
     for (const TradeErrorRow& error : kTradeErrors) {
       const TradeAxes axes{cost.id, error.id};
@@ -281,6 +275,62 @@ TEST(TradeView, MeasuresAgainWhenAsked) {
   EXPECT_FALSE(m.bench.moving());
   m.stage.draw(m.bench);  // it is here again
   EXPECT_TRUE(m.bench.moving());
+}
+
+// The chart of a trade.
+
+// What is beyond the marks is put at the edge of their area. The scale of one combination is the narrowest.
+TEST(TradeScale, PutsWhatIsBeyondAtTheEdge) {
+  Measured one;
+  one.cost.time = {.ms = 2, .ratio = 1};
+  one.here.afterTable.rootMeanSquare = 0.001;
+  Trade trade;
+  trade.combinations = {one};
+  const Rect area{60, 40, 300, 200};
+  const TradeScale scale{area, trade, {}};
+  for (const double far : {0.1, 1e9}) {
+    EXPECT_EQ(scale.y(far), area.y);
+    EXPECT_EQ(limitHandle(scale, far).y, limitHandle(scale, scale.errorAt(area.y)).y);
+    EXPECT_EQ(scale.x(1000 * far), area.x + area.width - 1);
+  }
+  EXPECT_EQ(scale.y(1e-9), area.y + area.height - 1);
+  EXPECT_EQ(scale.x(1e-9), area.x);
+}
+
+// The words beside the line of the limit cover no mark, wherever the marks and the line are.
+TEST(TradePlot, WordsOfTheLimitCoverNoMark) {
+  const Rect area{60, 40, 420, 260};
+  const CellPlan plan{TableKind::Linear};
+  int said = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    std::minstd_rand rng{seed + 1};
+    std::uniform_real_distribution<double> share{0, 1};
+    Trade trade;
+    for (unsigned k = 0; k < 10 + 2 * seed; ++k) {
+      Measured one;
+      one.cost.time = {.ms = std::pow(10.0, 3 * share(rng)), .ratio = 1};
+      one.here.afterTable.rootMeanSquare = std::pow(10.0, -3 * share(rng));
+      one.configuration.settings.shading = Shading::Flat;
+      trade.combinations.push_back(one);
+    }
+    const TradeScale scale{area, trade, {}};
+    const double limit = std::pow(10.0, -3 * share(rng));
+    IndexImage image{520, 340, 0};
+    drawTradePlot(Painter{image}, plan, scale, trade, -1, limit);
+    const int line = scale.y(limit);
+    const auto good = [&](int x, int y) { return image.row(y)[x] == plan[Cell::Good]; };
+    for (const Measured& one : trade.combinations) {
+      const int x = scale.x(one.cost.time.ms), y = scale.y(one.here.afterTable.rootMeanSquare);
+      for (int j = y - 3; j <= y + 3; ++j)
+        for (int i = x - 3; i <= std::min(x + 3, area.x + area.width - 6); ++i)
+          ASSERT_FALSE(good(i, j) && std::abs(j - line) > 1) << "seed " << seed;
+    }
+    int words = 0;
+    for (int j = area.y; j < area.y + area.height; ++j)
+      for (int i = area.x; i < area.x + area.width - 6; ++i) words += good(i, j) && std::abs(j - line) > 1;
+    said += words > 100;
+  }
+  EXPECT_GT(said, 30);
 }
 
 }  // namespace xnewell::THIS_FILE
