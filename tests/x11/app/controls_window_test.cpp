@@ -1,7 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/seeds.h"
-#include "tests/x11/support/twin_window.h"
+#include "tests/x11/support/ready_workbench.h"
+#include "tests/x11/support/watched_viewer.h"
+#include "x11/sides/sides_page.h"
+#include "x11/trade/trade_view.h"
+
+#include <X11/keysym.h>
 
 namespace xnewell::THIS_FILE {
 
@@ -10,8 +17,110 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-/// Times differ between two windows: sides_test.cpp and trade_view_test.cpp look at these views.
-bool showsTimes(View view) { return view == View::SideBySide || view == View::Trade; }
+/// What the window of a workbench would show on a screen, made without a server.
+[[nodiscard]] RgbImage onScreen(const Workbench& bench, const Rect& rect) {
+  RgbImage image{rect.width, rect.height};
+  for (int j = 0; j < rect.height; ++j)
+    for (int i = 0; i < rect.width; ++i) {
+      const Rgb16& c = bench.palette()[bench.image().row(rect.y + j)[rect.x + i]];
+      std::uint8_t* const pixel = image.pixel(i, j);
+      pixel[0] = static_cast<std::uint8_t>(c.r >> 8);
+      pixel[1] = static_cast<std::uint8_t>(c.g >> 8);
+      pixel[2] = static_cast<std::uint8_t>(c.b >> 8);
+    }
+  return image;
+}
+
+/// The program's window on a server, and a workbench without a server. Both get the same keys and mouse, and
+/// must show the same pixels. The window is in the upper left corner of the screen. It has 1024 x 768 pixels
+/// at scale 1, 800 x 600 units at others.
+class TwinWindow {
+ public:
+  explicit TwinWindow(int depth, const std::string& line = "teapot --divisions 3",
+                      const std::string& scene = "teapot", const xnewell::Setup& setup = {}, int scale = 1)
+      : unit{scale},
+        server{XServer::xvfb(depth, std::max(1280, 800 * unit), std::max(1024, 600 * unit))},
+        viewer{server,
+               line + (unit == 1 ? ""
+                                 : " --scale " + std::to_string(unit) + " --size " +
+                                       std::to_string(800 * unit) + 'x' + std::to_string(600 * unit))},
+        window{viewer.window},
+        same{setup, 1024, 768, scene, {.shownBits = 8}} {
+    if (unit > 1) {
+      same.scale(unit);
+      same.resize(800 * unit, 600 * unit);
+      same.update();
+    }
+    moveTo(700, 15);  // over nothing that responds
+  }
+
+  void type(std::string_view letters) {
+    window.type(letters);
+    same.type(letters);
+  }
+  void press(KeySym symbol, NamedKey name, bool shift = false) {
+    window.press(symbol, shift);
+    same.press({name, 0, shift});
+  }
+  /// The pointer, in units.
+  void moveTo(int x, int y) {
+    window.moveTo(x * unit, y * unit);
+    same.hover(x * unit, y * unit);
+  }
+  /// The button pressed, moved along and let go; then the pointer is over nothing that responds.
+  void drag(int fromX, int fromY, int toX, int toY) {
+    finish();
+    moveTo(fromX, fromY);
+    window.button(1, true);
+    const bool dragging = same.grab(fromX * unit, fromY * unit);
+    if (fromX != toX || fromY != toY) {
+      window.moveTo(toX * unit, toY * unit);
+      if (dragging)
+        same.dragTo(toX * unit, toY * unit);
+      else
+        same.hover(toX * unit, toY * unit);
+    }
+    window.button(1, false);
+    if (dragging) same.settle();
+    moveTo(700, 15);
+  }
+  void click(const Rect& r) {
+    const int x = r.x + r.width / 2, y = r.y + r.height / 2;
+    drag(x, y, x, y);
+  }
+  void resize(int width, int height) {
+    window.resize(width, height);
+    same.resize(width, height);
+  }
+  /// The workbench uses the places that it drew last.
+  void finish() { same.finish(); }
+
+  [[nodiscard]] Rect body() const { return same.layout().body * unit; }
+  /// The parts of the body that show no measured times, in pixels.
+  [[nodiscard]] std::vector<Rect> timeless() const {
+    const Layout& layout = same.layout();
+    std::vector<Rect> parts{layout.body};
+    if (same.view() == View::SideBySide) {
+      const SidesLayout at = layoutOfSides(layout.body);
+      parts = {at.captionA, at.A, at.captionB, at.B, at.difference};
+    }
+    if (same.view() == View::Trade) parts = {layoutOfTrade(layout.body).controls};
+    for (Rect& part : parts) part = part * unit;
+    return parts;
+  }
+  /// Compares these parts. The bands around the body tell times and facts of the server.
+  [[nodiscard]] bool agrees() {
+    finish();
+    return std::ranges::all_of(
+        timeless(), [&](const Rect& part) { return window.comesToShow(onScreen(same, part), part); });
+  }
+
+  const int unit;  ///< pixels
+  XServer server;
+  const WatchedViewer viewer;
+  const WatchedWindow& window;
+  ReadyWorkbench same;
+};
 
 /// Uses the corrected table, so that no slider is off.
 const std::string kCorrected = "teapot --divisions 3 --table corrected";
@@ -114,7 +223,7 @@ TEST(ControlsWindow, OtherViewsAnswerAtScaleThree) {
 // Every view is drawn again at each size, and responds to a drag there.
 TEST_P(ControlsWindowAt, EveryViewAtEverySize) {
   for (const ViewRow& row : kWindowViews) {
-    if (showsTimes(row.id)) continue;
+    if (row.id == View::Trade) continue;  // it shows times: trade_view_test.cpp
     SCOPED_TRACE(row.name);
     twin.type({&row.key, 1});
     ASSERT_TRUE(twin.agrees());
@@ -135,21 +244,21 @@ TEST_P(ControlsWindowAt, EveryViewAtEverySize) {
 // Every key in every view does what it does without a server. The keys are pressed a few at a time. Esc
 // leaves a line that is typed.
 TEST_P(ControlsWindowAt, EveryKeyInEveryView) {
-  // f, which needs a screen to fill, is in full_screen_test.cpp.
-  constexpr std::string_view kLetters = "ipadsnclotzLVSNOPKTW[]HBJ+-rjgbxAhmkyuUGDCZ";
+  constexpr std::string_view kLetters = "ipadsnclotzLVSNOPKTW[]HBJ+-rjgfbxAhmkyuUGDCZY";
   constexpr std::array kNamed{std::pair{XK_Right, NamedKey::Right},  std::pair{XK_Up, NamedKey::Up},
                               std::pair{XK_Home, NamedKey::Home},    std::pair{XK_End, NamedKey::End},
                               std::pair{XK_Tab, NamedKey::Tab},      std::pair{XK_Prior, NamedKey::PageUp},
                               std::pair{XK_Next, NamedKey::PageDown}};
   for (const ViewRow& row : kWindowViews) {
-    if (showsTimes(row.id)) continue;
+    if (row.id == View::Trade) continue;  // it shows times: trade_view_test.cpp
     SCOPED_TRACE(row.name);
     twin.type({&row.key, 1});
     ASSERT_TRUE(twin.agrees());
     int k = 0;
     for (const char letter : kLetters) {
-      if (row.id == View::Colors && letter == 'm') continue;  // starts colours that move by themselves
-      if (row.id == View::Colors && letter == 'h') continue;  // acts only while it is held
+      if (row.id != View::SideBySide && letter == 'f') continue;  // fills the screen: window_test.cpp
+      if (row.id == View::Colors && letter == 'm') continue;      // starts colours that move by themselves
+      if (row.id == View::Colors && letter == 'h') continue;      // acts only while it is held
       twin.type({&letter, 1});
       twin.press(XK_Escape, NamedKey::Escape);
       if (row.id == View::Lesson) twin.type("7");
@@ -164,6 +273,18 @@ TEST_P(ControlsWindowAt, EveryKeyInEveryView) {
     }
     twin.type("1r");
   }
+}
+
+// Playing reaches its stop by itself.
+TEST(SortWindow, PlaysToAStop) {
+  TwinWindow twin{8};
+  twin.type("2");
+  ASSERT_TRUE(twin.agrees());
+  twin.type("++++++++++++++b4");
+  twin.press(XK_space, NamedKey::Space);
+  twin.finish();
+  while (twin.same.moving()) twin.same.tick();
+  EXPECT_TRUE(twin.agrees());
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -1,16 +1,17 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "geometry/files/text_file.h"
 #include "tests/support/seeds.h"
+#include "tests/x11/support/find_text.h"
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/app/key_lists.h"
 #include "x11/stepper/sort_view.h"
+#include "x11/window/drawer.h"
 
 namespace xnewell::THIS_FILE {
-
-// Whatever a view says of its keys and controls is true of every view.
 
 namespace {
 
@@ -34,16 +35,91 @@ struct Seen {
 
 std::string nameOf(const ViewRow& row) { return std::string{row.name}; }
 
+/// The keys that lead to each view, and more such.
+std::vector<std::string> waysToViews(std::vector<std::string> ways) {
+  for (const ViewRow& row : kWindowViews) ways.emplace_back(1, row.key);
+  return ways;
+}
+
+constexpr int kMark = 8;   // a selected row has its mark at the left of its area
+constexpr int kFrame = 2;  // in a low window the frame of an option reaches into the space between rows
+
+/// The smallest rectangle that has all pixels outside `but` that differ.
+Rect changed(const IndexImage& a, const IndexImage& b, const Rect& but) {
+  int x0 = a.width, y0 = a.height, x1 = -1, y1 = -1;
+  for (int j = 0; j < a.height; ++j) {
+    if (std::equal(a.row(j), a.row(j) + a.width, b.row(j))) continue;
+    for (int i = 0; i < a.width; ++i)
+      if (a.row(j)[i] != b.row(j)[i] && intersection(but, {i, j, 1, 1}).empty())
+        x0 = std::min(x0, i), y0 = std::min(y0, j), x1 = std::max(x1, i), y1 = std::max(y1, j);
+  }
+  return x1 < 0 ? Rect{} : Rect{x0, y0, x1 - x0 + 1, y1 - y0 + 1};
+}
+
+struct Screen {
+  int width, height, unit;
+};
+
+/// The places of all controls that the view has drawn: all are in the window, and no two share a pixel unless
+/// one of them lies above.
+void expectPlaces(const ReadyWorkbench& b) {
+  const auto& places = b.bench().list().places();
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    const auto& [id, place] = places[p];
+    SCOPED_TRACE(testing::Message() << "key '" << id.key << "' part " << id.part);
+    EXPECT_FALSE(place.area.empty());
+    EXPECT_EQ(intersection(place.area, {0, 0, b.layout().width, b.layout().height}), place.area);
+    for (std::size_t q = 0; q < p; ++q) {
+      const auto& [other, there] = places[q];
+      if (place.above == there.above || (!place.passive && !there.passive && other.key != id.key)) {
+        EXPECT_TRUE(intersection(place.area, there.area).empty()) << other.key << other.part;
+      }
+    }
+  }
+}
+
+/// Visits these places with the pointer. Returns how many changed under it.
+int visit(ReadyWorkbench& b, int unit) {
+  const auto places = b.bench().list().places();
+  b.hover(0, 0);
+  b.finish();
+  const IndexImage before = b.image();
+  int answered = 0;
+  for (const auto& [id, place] : places) {
+    if (place.passive || place.area.empty() || place.bare) continue;
+    SCOPED_TRACE(testing::Message() << "key '" << id.key << "' part " << id.part);
+    const int x = place.area.x + place.area.width / 2, y = place.area.y + place.area.height / 2;
+    b.hover(x * unit + unit / 2, y * unit + unit / 2);
+    b.finish();
+    const Controls controls = b.bench().controls();
+    const Control* const hit = b.bench().list().hovered(controls);
+    EXPECT_TRUE(hit != nullptr);
+    if (hit == nullptr) continue;
+    EXPECT_EQ(hit->id(), id);
+    const Rect differs = changed(before, b.image(), b.layout().status * unit);
+    const Rect mayDiffer =
+        Rect{place.area.x - kMark, place.area.y, place.area.width + 2 * kMark, place.area.height + kFrame} *
+        unit;
+    if (differs.empty()) continue;
+    ++answered;
+    EXPECT_EQ(intersection(differs, mayDiffer), differs);
+  }
+  return answered;
+}
+
 }  // namespace
 
-// No view has a key twice, and every key has words in the list of all keys.
+// Whatever a view says of its keys and controls is true of every view, at every scale: the pointer finds a
+// control exactly where it is drawn.
+
+// No view has a key twice, nor a control, by which the pointer would find another; and every key has words in
+// the list of all keys. So has the page on which the student sorts, also after t.
 TEST(EveryView, KeysAreUniqueAndExplained) {
   for (const char* scene : someOf({"cycle", "hues", "teapot"}, 1))
-    for (const ViewRow& row : kWindowViews) {
-      SCOPED_TRACE(scene + nameOf(row));
+    for (const std::string& way : waysToViews({"2Y", "2Yt"})) {
+      SCOPED_TRACE(scene + way);
       ReadyWorkbench b{{}, 1024, 768, scene};
-      b.press(row.key);
-      b.finish();
+      for (const char key : way) b.does(key);
       std::set<std::pair<NamedKey, char>> taken;
       for (const KeyRow& keys : b.keys()) {
         EXPECT_FALSE(keys.does.empty())
@@ -53,6 +129,10 @@ TEST(EveryView, KeysAreUniqueAndExplained) {
               << xnewell::nameOf(key);
       }
       EXPECT_GT(taken.size(), 15u);
+      std::set<std::pair<char, int>> controls;
+      for (const Control& control : b.bench().controls())
+        EXPECT_TRUE(controls.insert({control.key, control.part}).second)
+            << control.key << ' ' << control.part;
     }
 }
 
@@ -65,8 +145,7 @@ TEST(EveryView, EveryKeyAnswers) {
       std::vector<Key> keys;
       {
         ReadyWorkbench b{{}, 800, 540, scene};
-        b.press(row.key);
-        b.finish();
+        b.does(row.key);
         for (const KeyRow& one : b.keys()) keys.insert(keys.end(), one.keys.begin(), one.keys.end());
       }
       if (!kSanitized)
@@ -74,8 +153,7 @@ TEST(EveryView, EveryKeyAnswers) {
       ReadyWorkbench b{{}, 800, 540, scene};
       std::set<std::string> silent;
       for (const Key& key : keys) {
-        b.press(row.key);
-        b.finish();
+        b.does(row.key);
         const Seen before{b};
         b.press(key);
         b.update();
@@ -114,9 +192,7 @@ TEST(EveryView, EveryCapAndCountAnswers) {
       if (row.id == View::DepthSort) b.press(NamedKey::Home);
       b.finish();
       const Seen before{b};
-      (void)b.grab(one.place.x + one.place.width / 2, one.place.y + one.place.height / 2);
-      b.settle();
-      b.finish();
+      b.click(one.place.x + one.place.width / 2, one.place.y + one.place.height / 2);
       const bool answers = Seen{b} != before;
       if (!answers) silent.push_back(what);
       if (one.lead != Lead::None && row.id != View::Lesson) {
@@ -128,34 +204,6 @@ TEST(EveryView, EveryCapAndCountAnswers) {
       b.does(row.key);
     }
     EXPECT_LE(silent.size(), 3u) << row.name << ' ' << testing::PrintToString(silent);
-  }
-}
-
-// A count leads to what it counts, and Esc goes back to the place from which one came.
-TEST(EveryView, CountsLeadToWhatTheyCount) {
-  xnewell::Setup setup;
-  setup.picture.order = Order::ZSort;
-  setup.picture.light.Ip = 0.8, setup.picture.light.kd = setup.picture.light.ks = 1;
-  for (const auto& [lead, view] :
-       {std::pair{Lead::Clamped, View::Pixel}, {Lead::Wrong, View::Pixel}, {Lead::Cut, View::DepthSort}}) {
-    setup.picture.order = lead == Lead::Cut ? Order::Newell : Order::ZSort;
-    ReadyWorkbench b{setup};
-    std::optional<Pointed> link;
-    for (const Written& one : b.writing())
-      for (const Pointed& found : linksIn(one))
-        if (found.lead == lead) link = found;
-    ASSERT_TRUE(link) << static_cast<int>(lead);
-    (void)b.grab(link->place.x + 3, link->place.y + 5);
-    b.finish();
-    ASSERT_EQ(b.view(), view) << b.panel().notice;
-    if (view == View::DepthSort) {
-      EXPECT_EQ(b.stepper().run()->landmarks().count(Landmark::Cut, b.stepper().view().step), 1);
-    } else {
-      const std::string line = b.panel().status;
-      EXPECT_EQ(line.find("ground"), line.npos) << line;
-    }
-    b.does(NamedKey::Escape);
-    EXPECT_EQ(b.view(), View::Picture);
   }
 }
 
@@ -184,9 +232,7 @@ TEST(EveryView, OnePictureOfTheScene) {
     for (const glm::ivec2 pixel :
          {glm::ivec2{0, 0}, {at.width / 2, at.height - 1}, {at.width - 1, at.height / 3}}) {
       b.does('1');
-      (void)b.grab(at.x + pixel.x, at.y + pixel.y);
-      b.settle();
-      b.finish();
+      b.click(at.x + pixel.x, at.y + pixel.y);
       EXPECT_EQ(b.place().pixel, pixel) << scene;
     }
   }
@@ -213,46 +259,16 @@ TEST(EveryView, TheManualListsTheKeys) {
   EXPECT_EQ(keyLists(), readTextFile(XNEWELL_DATA_DIR "/../x11/KEYS.md"));
 }
 
-// No two controls that are drawn share a pixel, unless one of them lies above; and all are in the window.
-TEST(EveryView, ControlsHavePlaces) {
-  for (const auto& [w, h] : someOf({std::pair{800, 540}, {800, 600}, {1920, 1080}}, 1))
-    for (const ViewRow& row : kWindowViews) {
-      SCOPED_TRACE(nameOf(row) + std::to_string(w));
-      ReadyWorkbench b{{}, w, h};
-      b.press(row.key);
-      b.finish();
-      const auto& places = b.bench().list().places();
-      for (std::size_t p = 0; p < places.size(); ++p) {
-        const Rect& area = places[p].second.area;
-        EXPECT_FALSE(area.empty());
-        EXPECT_TRUE(area.x >= 0 && area.y >= 0 && area.x + area.width <= w && area.y + area.height <= h);
-        for (std::size_t q = 0; q < p; ++q)
-          if (places[p].second.above == places[q].second.above) {
-            EXPECT_TRUE(intersection(area, places[q].second.area).empty())
-                << places[p].first.key << places[p].first.part << ' ' << places[q].first.key
-                << places[q].first.part;
-          }
-      }
-    }
-}
-
-// In every view, the list of keys fits into its frame.
+// In every view, the list of keys fits into its frame, and no key runs into the words beside it.
 TEST(EveryView, TheListOfKeysFits) {
   constexpr int kWidth = 560, kShadow = 4;
-  std::vector<std::string> ways;
-  for (const ViewRow& row : kWindowViews) ways.emplace_back(1, row.key);
-  ways.emplace_back("2Y");  // the student sorts
   for (const auto& [width, height] : someOf({std::pair{800, 540}, {800, 600}, {1024, 768}}, 1))
-    for (const std::string& way : ways) {
+    for (const std::string& way : waysToViews({"2Y"})) {
       SCOPED_TRACE(way);
       ReadyWorkbench b{{}, width, height};
-      for (const char key : way) {
-        b.press(key);
-        b.finish();
-      }
+      for (const char key : way) b.does(key);
       const IndexImage before = b.image();
-      b.type("?");
-      b.finish();
+      b.does('?');
       ASSERT_NE(before.pixels, b.image().pixels);
       const int left = (width - kWidth) / 2, right = left + kWidth - 1;
       const int end = layoutOf(width, height).status.y;  // the status line tells the time, which may change
@@ -262,7 +278,79 @@ TEST(EveryView, TheListOfKeysFits) {
             ASSERT_TRUE(x >= left && x <= right + kShadow) << x << ", " << y;
             ASSERT_TRUE(y > 0 && y + 1 < end) << y;
           }
+      if (height < 768) continue;
+      for (const HelpLine& line : helpOf(b.keys()))
+        EXPECT_FALSE(findText(b.image(), line.keys + " ", b.plan()[Cell::Ink], 1, Voice::Bold).empty())
+            << line.keys;
     }
+}
+
+TEST(EveryControl, IsHitWhereItIsDrawn) {
+  for (const auto& [width, height, unit] : {Screen{800, 540, 1},
+                                            {800, 600, 1},
+                                            {1024, 768, 1},
+                                            {1920, 1080, 1},
+                                            {1920, 1080, 2},
+                                            {2400, 1700, 3}}) {
+    SCOPED_TRACE(testing::Message() << width << " x " << height << " at scale " << unit);
+    ReadyWorkbench b{{}, width, height};
+    b.scale(unit);
+    int answered = 0;
+    for (const ViewRow& row : kWindowViews) {
+      SCOPED_TRACE(row.name);
+      b.switchTo(row.id);
+      b.update();
+      expectPlaces(b);
+      if (row.id == View::Trade) continue;  // it changes while it measures
+      b.finish();
+      ASSERT_EQ(b.layout().unit, unit);
+      expectPlaces(b);
+      answered += visit(b, unit);
+    }
+    EXPECT_GT(answered, 20);
+  }
+}
+
+// D gives the room of the controls to the picture, and the handle at the edge gives it back: with every
+// control where it was, and found there.
+TEST(EveryControl, CanBePutAway) {
+  for (const auto& [width, height, unit] :
+       {Screen{800, 600, 1}, {1024, 768, 1}, {1920, 1080, 2}, {3840, 2160, 2}, {2400, 1700, 3}}) {
+    SCOPED_TRACE(testing::Message() << width << " x " << height << " at scale " << unit);
+    ReadyWorkbench b{{}, width, height};
+    b.scale(unit);
+    for (const View view : {View::Picture, View::DepthSort}) {
+      b.switchTo(view);
+      b.update();
+      b.finish();
+      const IndexImage before = b.image();
+      const auto places = b.bench().list().places();
+      const auto room = [&] {
+        return view == View::Picture ? b.layout().well : b.bench().picture(b.layout());
+      };
+      const Rect picture = room();
+      b.does("D");
+      const Rect larger = room();
+      EXPECT_GT(larger.width * larger.height, picture.width * picture.height);
+      EXPECT_TRUE(b.bench().list().find({kDrawerKey}));
+      expectPlaces(b);
+      visit(b, unit);
+      const Rect handle = b.layout().handle;
+      EXPECT_TRUE(intersection(handle, larger).empty());
+      EXPECT_FALSE(b.grab((handle.x + 12) * unit, (handle.y + handle.height / 2) * unit));
+      b.settle();
+      b.hover(0, 0);
+      b.finish();
+      EXPECT_EQ(b.bench().list().places().size(), places.size());
+      // Below stands how long the picture took.
+      EXPECT_TRUE(changed(before, b.image(), b.layout().status * unit).empty());
+    }
+  }
+  ReadyWorkbench b;
+  b.switchTo(View::Colors);
+  b.finish();
+  b.type("D");  // this view has no drawer
+  EXPECT_EQ(b.layout().drawer, Drawer::Whole);
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -29,25 +29,12 @@ struct Shown : ReadyWorkbench {
     lecture({readLecture(file), seconds});
     finish();
   }
-  void turn(NamedKey key) {
-    press(key);
-    finish();
-  }
   /// The view without the bar above it, which names the page.
-  [[nodiscard]] std::vector<std::uint8_t> body() const {
-    const auto above = image().pixels.begin() + std::ptrdiff_t{image().width} * 40;
-    return {above, image().pixels.begin() + std::ptrdiff_t{image().width} * layout().status.y};
+  [[nodiscard]] IndexImage body() const { return bodyOf(*this); }
+  static IndexImage bodyOf(const ReadyWorkbench& b) {
+    return b.part({0, 40, b.image().width, b.layout().status.y - 40});
   }
 };
-
-/// The view of a window that shows one scene only.
-std::vector<std::uint8_t> alone(const std::string& scene, const Setup& setup, View view) {
-  ReadyWorkbench bench{setup, 1024, 768, scene};
-  bench.switchTo(view);
-  bench.finish();
-  const auto above = bench.image().pixels.begin() + std::ptrdiff_t{1024} * 40;
-  return {above, bench.image().pixels.begin() + std::ptrdiff_t{1024} * bench.layout().status.y};
-}
 
 const std::string kThree =
     R"({"title": "Flat", "show": "teapot --divisions 3 --shade flat --ks 0.7"},
@@ -62,26 +49,24 @@ TEST_F(LectureTest, PagesTurn) {
   Shown shown{lecture(kThree)};
   xnewell::Setup flat;
   flat.picture.shading = Shading::Flat, flat.picture.light.ks = 0.7;
-  const std::vector<std::uint8_t> first = shown.body();
-  EXPECT_EQ(first, alone("teapot", flat, View::Picture));
-  shown.type("SJ");
-  shown.finish();
+  const IndexImage first = shown.body();
+  EXPECT_EQ(first, Shown::bodyOf(ReadyWorkbench{flat}));
+  shown.does("SJ");
   EXPECT_NE(shown.body(), first);
-  shown.turn(NamedKey::PageDown);
+  shown.does(NamedKey::PageDown);
   EXPECT_EQ(shown.view(), View::Colors);
   EXPECT_EQ(shown.setup().picture.shading, Shading::Phong);
-  shown.turn(NamedKey::PageDown);
+  shown.does(NamedKey::PageDown);
   EXPECT_EQ(shown.view(), View::DepthSort);
-  const auto& stepper = dynamic_cast<const SortView&>(shown.bench());
-  EXPECT_EQ(stepper.view().step, 12);
-  const std::vector<std::uint8_t> third = shown.body();
-  shown.turn(NamedKey::PageDown);  // there is none
+  EXPECT_EQ(shown.stepper().view().step, 12);
+  const IndexImage third = shown.body();
+  shown.does(NamedKey::PageDown);  // there is none
   EXPECT_EQ(shown.view(), View::DepthSort);
   EXPECT_EQ(shown.body(), third);
-  shown.turn(NamedKey::PageUp);
-  shown.turn(NamedKey::PageUp);
+  shown.does(NamedKey::PageUp);
+  shown.does(NamedKey::PageUp);
   EXPECT_EQ(shown.body(), first);
-  shown.turn(NamedKey::PageUp);
+  shown.does(NamedKey::PageUp);
   EXPECT_EQ(shown.body(), first);
 }
 
@@ -96,17 +81,15 @@ TEST_F(LectureTest, PagesOpenTheViewingAndTheScanline) {
     EXPECT_EQ(viewing.stage(), 3);
     EXPECT_EQ(viewing.vertex(), "12.2");
     EXPECT_EQ(shown.setup().picture.camera.prp, (glm::dvec3{-4, 1, 12}));
-    shown.press(NamedKey::Right);
-    shown.finish();
-    shown.turn(NamedKey::PageDown);
+    shown.does(NamedKey::Right);
+    shown.does(NamedKey::PageDown);
     ASSERT_EQ(shown.view(), View::Scanline);
     const auto& rows = dynamic_cast<const ScanlineView&>(shown.bench());
     EXPECT_EQ(rows.polygon(), "40");
     EXPECT_EQ(rows.view().step, 9);
     EXPECT_FALSE(shown.complains());
-    shown.press(NamedKey::Right);
-    shown.finish();
-    shown.turn(NamedKey::PageUp);
+    shown.does(NamedKey::Right);
+    shown.does(NamedKey::PageUp);
   }
 }
 
@@ -117,16 +100,14 @@ TEST_F(LectureTest, EachPageBeginsAnew) {
       R"({"title": "Cards", "lesson": "five-tests"}, {"title": "Cycle", "show": "cycle --view depthsort"},
                  {"title": "Teapot", "show": "teapot"})")};
   const int steps = static_cast<int>(shown.lessons().lesson()->steps.size());
-  for (int step = 0; step < steps; ++step) shown.turn(NamedKey::PageDown);
+  for (int step = 0; step < steps; ++step) shown.does(NamedKey::PageDown);
   ASSERT_EQ(shown.view(), View::DepthSort);
   EXPECT_EQ(legendOf(shown.keys()).front().does, "page");
-  shown.press(NamedKey::Left);  // the run is at its start
-  shown.finish();
+  shown.does(NamedKey::Left);  // the run is at its start
   EXPECT_TRUE(shown.complains());
-  shown.turn(NamedKey::PageDown);
+  shown.does(NamedKey::PageDown);
   EXPECT_FALSE(shown.complains());
-  shown.type("7");
-  shown.finish();
+  shown.does('7');
   EXPECT_TRUE(shown.lessons().showsList());
 }
 
@@ -140,15 +121,14 @@ TEST_F(LectureTest, StepsOfALessonComeFirst) {
   for (int step = 0; step < steps; ++step) {
     EXPECT_EQ(shown.view(), View::Lesson);
     EXPECT_EQ(lesson.step(), step);
-    shown.turn(NamedKey::PageDown);
+    shown.does(NamedKey::PageDown);
   }
   EXPECT_EQ(shown.view(), View::Picture);
   EXPECT_EQ(shown.scene().name, "teapot");
-  shown.turn(NamedKey::PageUp);
+  shown.does(NamedKey::PageUp);
   EXPECT_EQ(lesson.step(), 0);
-  shown.type("2");  // to the stepper, with the lesson's scene
-  shown.finish();
-  shown.turn(NamedKey::PageDown);
+  shown.does('2');  // to the stepper, with the lesson's scene
+  shown.does(NamedKey::PageDown);
   EXPECT_EQ(shown.scene().name, "teapot");
   EXPECT_EQ(shown.view(), View::Picture);
 }
@@ -196,28 +176,24 @@ TEST_F(LectureTest, PagesNameControls) {
   const int beside = shown.layout().picture.width;
   const Rect n = shown.bench().list().find({'n'})->track;
   EXPECT_FALSE(shown.grab(n.x + n.width / 2, n.y + 200));
-  EXPECT_TRUE(shown.grab(n.x + n.width / 2, n.y));
-  shown.settle();
-  shown.finish();
+  shown.click(n.x + n.width / 2, n.y);
   EXPECT_NE(shown.setup().picture.light.n, xnewell::Setup{}.picture.light.n);
   const double ka = shown.setup().picture.light.ka;
   shown.type("a");
   shown.press(NamedKey::Left);
   EXPECT_LT(shown.setup().picture.light.ka, ka);
-  shown.type("D");
-  shown.finish();
+  shown.does('D');
   EXPECT_EQ(keys(), "");
   EXPECT_GT(shown.layout().picture.width, beside);
   EXPECT_TRUE(intersection(shown.layout().picture, shown.layout().finding).empty());
-  shown.type("D");
-  shown.finish();
+  shown.does('D');
   EXPECT_EQ(keys(), "Ssn");
-  shown.turn(NamedKey::PageDown);
+  shown.does(NamedKey::PageDown);
   EXPECT_EQ(shown.layout().drawer, Drawer::Shut);
   EXPECT_EQ(keys(), "");
-  shown.turn(NamedKey::PageDown);
+  shown.does(NamedKey::PageDown);
   EXPECT_EQ(shown.layout().drawer, Drawer::Whole);
-  shown.turn(NamedKey::PageDown);
+  shown.does(NamedKey::PageDown);
   EXPECT_EQ(shown.layout().drawer, Drawer::Shut);
 }
 
@@ -226,13 +202,6 @@ TEST_F(LectureTest, TheFirstHour) {
   const std::vector<Page> pages = readLecture("first-hour");
   EXPECT_GE(pages.size(), 5u);
   EXPECT_TRUE(pages.back().lesson);
-}
-
-// Scenes and lessons are looked for beside the lecture.
-TEST_F(LectureTest, NamesFilesBesideIt) {
-  write("mine.obj", kTriangleObj);
-  EXPECT_EQ(readLecture(lecture(R"({"title": "Mine", "show": "mine.obj"})")).front().scene.mesh.points.size(),
-            3u);
 }
 
 // A long title of a page is whole, also in views beside whose names it has no room.

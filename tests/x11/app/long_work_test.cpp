@@ -1,9 +1,13 @@
 #include "x11/app/long_work.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <future>
 #include <optional>
 #include <stdexcept>
@@ -14,7 +18,6 @@
 #include "tests/support/seeds.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/watched_viewer.h"
-#include "tests/x11/support/work_gate.h"
 
 #include <X11/keysym.h>
 
@@ -27,6 +30,32 @@ using std::chrono::steady_clock;
 constexpr std::chrono::seconds kLongest{90};  ///< that a test waits for what must happen
 constexpr Rect kSeen{0, 0, 1024, 724};        ///< the window of 1024 x 768 but for its status line
 constexpr Rect kPicture{40, 100, 500, 500};   ///< a part of its picture
+
+/// A gate before the program's work: while it is shut, a thread that the program xnewell_held
+/// (held_threads.cpp) starts does nothing. Work takes as long as the test wants, on every machine.
+class WorkGate {
+ public:
+  /// The gate is shut.
+  WorkGate() : lock_{::open(folder_.write("gate", "").c_str(), O_RDONLY | O_CLOEXEC)} {
+    if (lock_ < 0) throw std::runtime_error{"the gate's file cannot be opened"};
+    setenv("XNEWELL_GATE", folder_.file("gate").c_str(), 1);
+    shut();
+  }
+  WorkGate(const WorkGate&) = delete;
+  WorkGate& operator=(const WorkGate&) = delete;
+  ~WorkGate() {
+    close(lock_);
+    unsetenv("XNEWELL_GATE");
+  }
+
+  void open() const { flock(lock_, LOCK_UN); }
+  /// Threads that start from now on wait.
+  void shut() const { flock(lock_, LOCK_EX); }
+
+ private:
+  TemporaryFolder folder_;
+  int lock_;
+};
 
 /// Reads the box that tells how long the work takes, and what a key does meanwhile.
 class BoxWatch {

@@ -23,10 +23,6 @@ struct Scaled : ReadyWorkbench {
     switchTo(view);
     finish();
   }
-  void click(int x, int y) {
-    if (grab(x, y)) settle();
-    finish();
-  }
 };
 
 /// Where samples of pictures are, in units, and what lies exactly under them.
@@ -73,52 +69,14 @@ TEST(Scale, PagesGrow) {
   }
 }
 
-// Controls answer where they are drawn: all have the same places in units, and the pointer at any pixel of a
-// unit does the same.
-TEST(Scale, ControlsAnswerWhereTheyAre) {
-  for (const ViewRow& row : kWindowViews) {
-    SCOPED_TRACE(row.name);
-    Scaled one{1, row.id}, two{2, row.id};
-    const auto& places = one.bench().list().places();
-    ASSERT_EQ(places.size(), two.bench().list().places().size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const ControlPlace &a = places[k].second, &b = two.bench().list().places()[k].second;
-      EXPECT_EQ(places[k].first, two.bench().list().places()[k].first);
-      EXPECT_EQ(a.area, b.area);
-      EXPECT_EQ(a.options, b.options);
-      EXPECT_EQ(a.track, b.track);
-    }
-  }
-  Scaled one{1, View::Picture}, two{2, View::Picture};
-  const Rect phong = one.bench().list().find({'S'})->options[4];
-  const Rect track = one.bench().list().find({'s'})->track;
-  for (const Rect& r : {phong, track}) {
-    const int x = r.x + r.width / 4, y = r.y + r.height / 2;
-    one.click(x, y);
-    two.click(2 * x + 1, 2 * y + 1);
-    EXPECT_EQ(one.setup(), two.setup());
-  }
-  EXPECT_EQ(two.setup().picture.shading, Shading::Phong);
-  EXPECT_NE(two.setup(), two.defaults());
-  two.click(2 * 300 + 1, 2 * 15);
-  one.click(300, 15);
-  EXPECT_NE(two.view(), View::Picture);
-  EXPECT_EQ(one.view(), two.view());
-}
-
 // No sample is blown up: the window shows the picture that is drawn for all pixels of its place.
 TEST(Scale, PicturesKeepTheirPixels) {
-  {
-    const Scaled b{2, View::Picture};
-    const Rect at = b.bench().picture(b.layout());
-    PictureSettings settings = b.setup().picture;
-    settings.width = 2 * at.width, settings.height = 2 * at.height;
-    PictureCache pictures{readScene("cycle", 3)};
-    const Picture picture = pictures.make(settings, b.ground());
-    for (int j = 0; j < settings.height; ++j)
-      ASSERT_TRUE(std::equal(picture.image().row(j), picture.image().row(j) + settings.width,
-                             b.image().row(2 * at.y + j) + 2 * at.x));
-  }
+  const Scaled b{2, View::Picture};
+  const Rect at = b.bench().picture(b.layout()) * 2;
+  PictureSettings settings = b.setup().picture;
+  settings.width = at.width, settings.height = at.height;
+  PictureCache pictures{readScene("cycle", 3)};
+  EXPECT_EQ(b.part(at), pictures.make(settings, b.ground()).image());
 }
 
 // A click means the sample under the pointer: in the stepper it goes to the polygon there.
@@ -141,8 +99,7 @@ TEST(Scale, AnySize) {
       SCOPED_TRACE(std::to_string(unit) + ": " + std::to_string(w));
       b.scale(unit);
       b.resize(w, h);
-      b.press('?');
-      b.finish();
+      b.does('?');
       EXPECT_EQ(b.layout().roomy, w > 799 * unit && h > 539 * unit);
       EXPECT_EQ(std::pair(b.image().width, b.image().height), std::pair(w, h));
       for (const Rect& part : b.overPicture()) EXPECT_EQ(intersection(part, {0, 0, w, h}), part);

@@ -1,12 +1,21 @@
-#include "x11/app/workbench.h"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <random>
 
+#include "geometry/files/text_file.h"
+#include "shading/color/png.h"
+#include "shading/figure/write_figure.h"
 #include "tests/support/seeds.h"
-#include "tests/x11/support/find_text.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/x11/support/parsed_options.h"
 #include "tests/x11/support/ready_workbench.h"
+#include "tests/x11/support/watched_viewer.h"
+#include "x11/app/workbench.h"
+#include "x11/options/shell_words.h"
+#include "x11/sides/sides_page.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -14,79 +23,19 @@ namespace {
 
 using Stale = Workbench::Stale;
 
-/// All of the window but the status line, which shows milliseconds.
-IndexImage withoutStatus(const Workbench& b) {
-  IndexImage image = b.image();
-  for (int j = b.layout().status.y; b.layout().roomy && j < image.height; ++j)
-    std::fill_n(image.row(j), image.width, std::uint8_t{0});
-  return image;
-}
+/// The working directory, for as long as this lives. The program starts in it.
+class WorkingIn {
+ public:
+  explicit WorkingIn(const std::filesystem::path& folder) { std::filesystem::current_path(folder); }
+  WorkingIn(const WorkingIn&) = delete;
+  WorkingIn& operator=(const WorkingIn&) = delete;
+  ~WorkingIn() { std::filesystem::current_path(before_); }
+
+ private:
+  std::filesystem::path before_ = std::filesystem::current_path();
+};
 
 }  // namespace
-
-// A new hue, and the change between 8 and 16 bits, only change colours: no index of the window changes.
-TEST(Workbench, HueAndBitsAreColoursAlone) {
-  ReadyWorkbench b;
-  const IndexImage before = b.image();
-  const Palette palette = b.palette();
-  for (const char key : {'H', 'B'}) {
-    b.type({&key, 1});
-    EXPECT_EQ(b.stale(), Stale::Colors);
-    b.update();
-    EXPECT_EQ(b.stale(), Stale::Nothing);
-    EXPECT_EQ(b.image(), before);
-  }
-  EXPECT_NE(b.palette(), palette);
-}
-
-// A click on a key cap of the last line, or on the words beside it, is that key: fingers have no others.
-TEST(Workbench, TheLastLineIsAKeyboard) {
-  for (const int unit : {1, 2}) {
-    ReadyWorkbench b{{}, 1024 * unit, 768 * unit};
-    b.scale(unit);
-    b.finish();
-    const auto click = [&](const char* words, int right) {
-      const std::vector<glm::ivec2> at = findText(b.image(), words, b.plan()[Cell::Soft], unit);
-      ASSERT_FALSE(at.empty()) << words;
-      EXPECT_FALSE(b.grab(at.back().x + right * unit, at.back().y + 6 * unit));
-      b.settle();
-      b.finish();
-    };
-    click("all keys", 20);
-    EXPECT_FALSE(b.panel().help.empty());
-    click("all keys", -10);  // the cap before the words
-    EXPECT_TRUE(b.panel().help.empty());
-    b.does({'w'});
-    EXPECT_TRUE(b.isAsking());
-    click("cancel", 3);
-    EXPECT_FALSE(b.isAsking());
-  }
-}
-
-// Table, shades and I0 change cells and indices. Then the window looks like a fresh start with them.
-TEST(Workbench, TableChangesEqualAFreshStart) {
-  ReadyWorkbench b;
-  b.type("T");  // corrected
-  b.update();
-  b.type("o");
-  b.press({NamedKey::Right, 0, true});
-  b.type("c");
-  b.press({NamedKey::Left, 0, true});
-  EXPECT_EQ(b.stale(), Stale::Everything);
-  b.update();
-  EXPECT_NE(b.setup().picture.table.I0, 0.02);
-  EXPECT_EQ(b.setup().picture.table.shades, 230);
-
-  xnewell::Setup same;
-  same.picture.table = b.setup().picture.table;
-  ReadyWorkbench fresh{same};
-  EXPECT_EQ(b.palette(), fresh.palette());
-  const Rect& at = b.layout().picture;
-  for (int j = at.y; j < at.y + at.height; ++j)
-    ASSERT_TRUE(
-        std::equal(b.image().row(j) + at.x, b.image().row(j) + at.x + at.width, fresh.image().row(j) + at.x))
-        << j;
-}
 
 // Every key of a setting changes what is seen. Undo takes it back exactly, redo brings it again, and reset
 // returns to the start.
@@ -97,7 +46,7 @@ TEST(Workbench, EveryKeyDoesSomethingAndIsUndone) {
   ReadyWorkbench b{setup};
   const auto seen = [&] {
     b.finish();
-    return std::pair{withoutStatus(b), b.palette()};
+    return std::pair{b.aboveStatus(), b.palette()};
   };
   const auto start = seen();
   const auto isUndone = [&](const Key& key, const auto& before) {
@@ -130,18 +79,6 @@ TEST(Workbench, EveryKeyDoesSomethingAndIsUndone) {
   EXPECT_NE(seen(), start);
   b.does({NamedKey::Tab, 0, true});
   EXPECT_EQ(seen(), start);
-}
-
-// The list of all keys opens with `?` and closes with `?` or Esc. Then the window looks as it did before.
-TEST(Workbench, HelpOpensAndCloses) {
-  ReadyWorkbench b;
-  const IndexImage start = withoutStatus(b);
-  for (const Key close : {Key{'?'}, Key{NamedKey::Escape}}) {
-    b.does('?');
-    EXPECT_NE(withoutStatus(b), start);
-    b.does(close);
-    EXPECT_EQ(withoutStatus(b), start);
-  }
 }
 
 // Drags add up: ten drags of 3 pixels turn the scene like one of 30, whether or not a frame is drawn between
@@ -205,7 +142,7 @@ TEST(Workbench, NothingLingers) {
                  0, rng() % 2 == 0});
       if (rng() % 2) b.update();
     }
-    b.press({NamedKey::Escape});
+    b.press(NamedKey::Escape);
     b.type("1");
     b.update();
     if (b.bench().list().find({0, 100})) b.press('h');  // the opening page stays until it is put away
@@ -216,9 +153,8 @@ TEST(Workbench, NothingLingers) {
     fresh.update();
     EXPECT_EQ(b.palette(), fresh.palette());
     // The marks of the sliders' defaults differ, so only the part left of the controls is compared.
-    const IndexImage x = withoutStatus(b), y = withoutStatus(fresh);
-    for (int j = 0; j < x.height; ++j)
-      ASSERT_TRUE(std::equal(x.row(j), x.row(j) + b.layout().controls.x - 8, y.row(j))) << j;
+    const Rect left{0, 0, b.layout().controls.x - 8, b.layout().status.y};
+    ASSERT_EQ(b.part(left), fresh.part(left));
   }
 }
 
@@ -231,7 +167,7 @@ TEST(Workbench, TheCameraSurvivesAnyKeys) {
     for (const NamedKey key : {NamedKey::Up, NamedKey::Left, NamedKey::Down, NamedKey::Right}) {
       for (int i = 0; i < 300; ++i) b.press({key, 0, true});
       EXPECT_NO_THROW(b.update());
-      b.press({NamedKey::Letter, 'P'});
+      b.press('P');
       EXPECT_NO_THROW(b.update());
     }
   }
@@ -241,17 +177,12 @@ TEST(Workbench, TheCameraSurvivesAnyKeys) {
 // filler, and the window says so. A BSP tree has polygons.
 TEST(Workbench, OrdersBySampleFillNoPolygons) {
   ReadyWorkbench b;
-  b.type("FF");
-  EXPECT_EQ(b.setup().fill, Fill::Scanline);
-  b.type("F");
-  EXPECT_EQ(b.setup().fill, Fill::XFillPolygon);
-  b.type("O");
-  EXPECT_EQ(b.setup().picture.order, Order::Bsp);
-  EXPECT_EQ(b.setup().fill, Fill::XFillPolygon);
-  for (const Order order : {Order::ZBuffer16, Order::ZBuffer24, Order::ZBuffer32, Order::Oracle}) {
+  b.type("FFF");
+  for (const Order order :
+       {Order::Bsp, Order::ZBuffer16, Order::ZBuffer24, Order::ZBuffer32, Order::Oracle}) {
     b.type("O");
     EXPECT_EQ(b.setup().picture.order, order);
-    EXPECT_EQ(b.setup().fill, Fill::Scanline);
+    EXPECT_EQ(b.setup().fill, order == Order::Bsp ? Fill::XFillPolygon : Fill::Scanline);
   }
   b.type("F");
   EXPECT_EQ(b.setup().fill, Fill::Scanline);
@@ -270,11 +201,9 @@ TEST(Workbench, NoViewLeavesTheServerWhatItCannotFill) {
     b.update();
     ASSERT_TRUE(b.serverFills());
     for (const char key : keys) {
-      b.type({&key, 1});
-      b.finish();
+      b.does(key);
     }
-    b.type("1");
-    b.finish();
+    b.does("1");
     EXPECT_EQ(b.serverFills(), !rowOf(b.setup().picture.shading).interpolates);
     if (b.serverFills()) {
       EXPECT_EQ(b.picture().cells().size(), b.picture().snapped().faces.size());
@@ -306,56 +235,184 @@ TEST(Workbench, CountsWrongFacesWhenSettled) {
 // C gives what the view says, as comments of a shell, and the command of its set-up: of the picture, or of
 // the window with another view. No command opens a lesson at a step, so there it is the picture's.
 TEST(Workbench, AnyViewsSetupIsACommand) {
-  std::vector<std::string> copied;
-  Workbench b{readScene("teapot", 3), {}, {.copy = [&](const std::string& text) { copied.push_back(text); }}};
+  std::string copied;
+  Workbench b{readScene("teapot", 3), {}, {.copy = [&](const std::string& text) { copied += text; }}};
   b.resize(1024, 768);
   for (const ViewRow& row : kWindowViews) {
     SCOPED_TRACE(row.name);
     b.switchTo(row.id);
     b.update();
     b.change('S', [&](xnewell::Setup& s) { s.picture.shading = Shading::Phong; });
-    b.press({NamedKey::Letter, 'C'});
-    ASSERT_EQ(copied.size(), 1u);
-    const bool picture = row.id == View::Picture || row.id == View::Lesson;
-    const std::string begin = picture ? "xnewell draw teapot --size "
-                                      : "xnewell snapshot teapot --size 1024x768 --whole-window --view " +
-                                            std::string{row.name} + ' ';
-    const std::size_t last = copied[0].rfind('\n') + 1;
-    EXPECT_EQ(copied[0].find(begin), last) << copied[0];
-    for (std::size_t at = 0; at < last; at = copied[0].find('\n', at) + 1)
-      ASSERT_EQ(copied[0].substr(at, 2), "# ") << copied[0];
-    const std::string_view found = [&] {
-      switch (row.id) {
-        case View::DepthSort:
-          return "# start: nothing is painted\n";
-        case View::Colors:
-          return " stored levels distinct";
-        case View::MachBands:
-          return "\n# Bands: ";
-        case View::SideBySide:
-          return "\n# cuts   ";
-        case View::Pixel:
-          return " I = ka Ia + ";
-        default:
-          return "# ";
-      }
-    }();
-    EXPECT_NE(copied[0].find(found), std::string::npos) << copied[0];
-    EXPECT_NE(copied[0].find(" --divisions 3 --shade phong -o picture.png"), std::string::npos) << copied[0];
     copied.clear();
+    b.press('C');
+    const bool picture = row.id == View::Picture || row.id == View::Lesson;
+    const std::size_t last = copied.rfind('\n') + 1;
+    EXPECT_TRUE(copied.substr(last).starts_with(
+        picture
+            ? "xnewell draw teapot --size "
+            : "xnewell snapshot teapot --size 1024x768 --whole-window --view " + std::string{row.name} + ' '))
+        << copied;
+    EXPECT_NE(copied.find(" --divisions 3 --shade phong -o picture.png", last), std::string::npos) << copied;
+    EXPECT_GT(last, 0u);
+    for (std::size_t at = 0; at < last; at = copied.find('\n', at) + 1)
+      ASSERT_EQ(copied.substr(at, 2), "# ") << copied;
   }
 }
 
-// No key of the list of all keys runs into the words beside it.
-TEST(Workbench, TheListOfAllKeysHasRoomForThem) {
-  for (const ViewRow& row : kWindowViews) {
-    ReadyWorkbench b;
-    b.switchTo(row.id);
-    b.finish();
-    b.does('?');
-    for (const HelpLine& line : helpOf(b.keys()))
-      EXPECT_FALSE(findText(b.image(), line.keys + " ", b.plan()[Cell::Ink], 1, Voice::Bold).empty())
-          << row.name << ": " << line.keys;
+// A set-up that was changed, saved and opened again gives the same window. An existing file is replaced only
+// if that is confirmed, and never a scene of its own objects, which would be lost.
+TEST(SavedSetup, OpensAsTheSameWindow) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("mine.json");
+  ReadyWorkbench b;
+  const auto takes = [&](char key, const std::string& name) {
+    b.press(key);
+    b.type(name);
+    b.does(NamedKey::Return);
+    return !b.complains();
+  };
+  b.type("STO]");
+  b.drag(40, 10);
+  b.settle();
+  EXPECT_TRUE(takes('w', file));
+  ASSERT_TRUE(std::filesystem::exists(file));
+  const xnewell::Setup saved = b.setup();
+  const IndexImage picture = b.part(b.layout().picture);
+  b.type("SSrNKs");
+  b.type("q");
+  EXPECT_FALSE(b.quitAsked());  // the change has not been saved
+  b.type("sq");
+  EXPECT_FALSE(b.quitAsked());   // another key came between
+  EXPECT_FALSE(takes('e', ""));  // the file that it knows
+  EXPECT_EQ(b.view(), View::Picture);
+  EXPECT_NE(b.setup(), saved);
+  b.does(NamedKey::Return);
+  EXPECT_EQ(b.setup(), saved);
+  EXPECT_EQ(b.part(b.layout().picture), picture);
+  b.type("q");
+  EXPECT_TRUE(b.quitAsked());
+
+  const std::string other = folder.write("other.json", "mine"), own = R"({"objects": [{"solid": "cube"}]})",
+                    scene = folder.write("scene.json", own);
+  EXPECT_FALSE(takes('w', other));
+  EXPECT_EQ(std::filesystem::file_size(other), 4u);
+  b.does(NamedKey::Return);
+  EXPECT_FALSE(b.isAsking());
+  EXPECT_GT(std::filesystem::file_size(other), 100u);
+  EXPECT_TRUE(takes('e', scene));
+  EXPECT_EQ(b.picture().scene().name, scene);
+  EXPECT_FALSE(takes('w', scene));
+  b.does(NamedKey::Return);
+  EXPECT_TRUE(b.complains());
+  EXPECT_EQ(readTextFile(scene), own);
+  b.press(NamedKey::Escape);
+
+  // Up and down offer the built-in scenes.
+  const std::vector<BuiltInScene>& all = builtInScenes();
+  b.press('e');
+  for (const NamedKey key : {NamedKey::Down, NamedKey::Down, NamedKey::Up, NamedKey::Return}) b.does(key);
+  EXPECT_EQ(b.picture().scene().name, all.front().name);
+  b.press('e');
+  for (const NamedKey key : {NamedKey::Up, NamedKey::Return}) b.does(key);
+  EXPECT_EQ(b.picture().scene().name, all.back().name);
+}
+
+// I writes what the window shows, under a new name each time. The file carries the set-up: it opens as the
+// same window.
+TEST(WrittenPicture, IsTheWindowAndItsSource) {
+  const TemporaryFolder folder;
+  const WorkingIn here{folder.path()};
+  const XServer server = XServer::xvfb(24, 1280, 1024);
+  const std::string taken = folder.write("cubes-colours-2.png", "mine");
+  const Rect whole = aboveStatus(1024, 768);
+  RgbImage shown;
+  {
+    WatchedViewer viewer{server, "cubes --divisions 4 --size 1024x768"};
+    viewer.window.type("ST3");
+    ASSERT_TRUE(viewer.window.settles());
+    shown = viewer.window.shown(whole);
+    viewer.window.type("I");
+    ASSERT_TRUE(comesTrue([&] { return std::filesystem::exists(folder.file("cubes-colours.png")); }));
+    viewer.window.type("I");
+    ASSERT_TRUE(comesTrue([&] { return std::filesystem::exists(folder.file("cubes-colours-3.png")); }));
+    EXPECT_EQ(folder.entries(), 3);
+    viewer.window.type("1");
+    ASSERT_TRUE(viewer.window.settles());
+    viewer.window.type("I");  // view 1 has a figure, too
+    ASSERT_TRUE(comesTrue([&] { return std::filesystem::exists(folder.file("cubes-picture.svg")); }));
+  }
+  EXPECT_EQ(std::filesystem::file_size(taken), 4u);
+  EXPECT_EQ(folder.entries(), 5);
+  EXPECT_NE(noteInFigure(folder.file("cubes-picture.svg")).value_or("").find("xnewell draw cubes"),
+            std::string::npos);
+  for (const std::string file : {"cubes-colours.png", "cubes-colours-3.png"}) {
+    const RgbImage all = readPng(folder.file(file));
+    EXPECT_EQ(all.width, 1024);
+    EXPECT_EQ(all.height, 768);
+    EXPECT_EQ(cropped(all, whole), shown) << file;
+    EXPECT_NE(noteInPng(folder.file(file)).value_or("").find(" --whole-window --view colours "),
+              std::string::npos);
+  }
+  const WatchedViewer again{server, folder.file("cubes-colours.png")};
+  EXPECT_TRUE(again.window.comesToShow(shown, whole));
+}
+
+// The name is that of the scene and the view, without spaces; the command has the scale and the place in the
+// view. No option tells a lesson's step in a picture, so there it is a lesson's command.
+TEST(WrittenPicture, IsNamedAfterSceneAndView) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("my own.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  ReadyWorkbench b{{}, 1024, 768, file};
+  EXPECT_EQ(b.pictureName(), "my-own-picture");
+  b.scale(2);
+  b.resize(2048, 1536);
+  const auto notes = [&](const Key& key, const std::string& name, const std::string& words) {
+    b.does(key);
+    EXPECT_TRUE(name.empty() || b.pictureName() == "my-own-" + name) << b.pictureName();
+    EXPECT_NE(b.pictureNote().find(words), std::string::npos) << b.pictureNote();
+  };
+  notes('W', "wireframe",
+        "xnewell snapshot '" + file + "' --size 2048x1536 --whole-window --view wireframe ");
+  notes('2', "depthsort", " --size 2048x1536 --whole-window --view depthsort --scale 2 ");
+  b.does(NamedKey::Right);
+  b.does(NamedKey::Right);
+  notes('D', "depthsort", " --view depthsort --scale 2 --step 2 --controls none ");
+  notes('3', "colours", " --view colours --scale 2 ");
+  notes(NamedKey::Right, "", " --cell " + std::to_string(b.bench().inspected().value() + 1) + ' ');
+  b.does('4');
+  notes(NamedKey::Up, "machbands", " --view machbands --scale 2 --scanline ");
+  b.does('8');
+  const glm::ivec2 middle{b.picture().settings().width / 2, b.picture().settings().height / 2};
+  notes(NamedKey::Right, "pixel",
+        " --pixel " + std::to_string(middle.x + 1) + ',' + std::to_string(middle.y) + ' ');
+  b.does('7');
+  EXPECT_EQ(b.pictureNote(), "");  // the list of lessons
+  b.press(NamedKey::Return);
+  b.does(NamedKey::PageDown);
+  ASSERT_NE(b.lessons().lesson(), nullptr);
+  EXPECT_EQ(b.pictureNote(),
+            "xnewell lesson " + b.lessons().lesson()->name + " --size 2048x1536 --scale 2 --step 2");
+}
+
+// A picture of view 5 has both set-ups and what was compared: a window that begins with its command shows the
+// same A and B, whichever keys made them.
+TEST(WrittenPicture, HasBothSetupsOfView5) {
+  for (const std::string keys : {"5", "5f", "5g", "5ggf", "5gggxS", "5ASBOOff", "5AkT"}) {
+    SCOPED_TRACE(keys);
+    ReadyWorkbench b{{}, 1024, 768, "cubes"};
+    b.does(keys);
+    const std::string note = b.pictureNote();
+    std::vector<std::string> said = wordsOf(note).value();
+    said.erase(said.begin());  // the program's name
+    const Options options = parsed(said, readScene("cubes", 3).settings);
+    ASSERT_EQ(options.window.view, View::SideBySide);
+    ReadyWorkbench again{{.picture = options.picture, .fill = options.fill}, 1024, 768, "cubes"};
+    again.goTo(options.window);
+    again.finish();
+    EXPECT_EQ(again.pictureNote(), note);
+    const SidesLayout at = layoutOfSides(b.layout().body);
+    for (const Rect& part : {at.A, at.B, at.difference})  // the times beside them differ
+      EXPECT_EQ(b.part(part), again.part(part));
   }
 }
 
