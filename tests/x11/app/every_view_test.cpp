@@ -81,16 +81,14 @@ void expectPlaces(const ReadyWorkbench& b) {
 /// Visits these places with the pointer. Returns how many changed under it.
 int visit(ReadyWorkbench& b, int unit) {
   const auto places = b.bench().list().places();
-  b.hover(0, 0);
-  b.finish();
+  b.pointAt(0, 0);
   const IndexImage before = b.image();
   int answered = 0;
   for (const auto& [id, place] : places) {
     if (place.passive || place.area.empty() || place.bare) continue;
     SCOPED_TRACE(testing::Message() << "key '" << id.key << "' part " << id.part);
     const int x = place.area.x + place.area.width / 2, y = place.area.y + place.area.height / 2;
-    b.hover(x * unit + unit / 2, y * unit + unit / 2);
-    b.finish();
+    b.pointAt(x * unit + unit / 2, y * unit + unit / 2);
     const Controls controls = b.bench().controls();
     const Control* const hit = b.bench().list().hovered(controls);
     EXPECT_TRUE(hit != nullptr);
@@ -339,8 +337,7 @@ TEST(EveryControl, CanBePutAway) {
       EXPECT_TRUE(intersection(handle, larger).empty());
       EXPECT_FALSE(b.grab((handle.x + 12) * unit, (handle.y + handle.height / 2) * unit));
       b.settle();
-      b.hover(0, 0);
-      b.finish();
+      b.pointAt(0, 0);
       EXPECT_EQ(b.bench().list().places().size(), places.size());
       // Below stands how long the picture took.
       EXPECT_TRUE(changed(before, b.image(), b.layout().status * unit).empty());

@@ -2,7 +2,6 @@
 
 #include <signal.h>
 
-#include <array>
 #include <csignal>
 #include <cstring>
 #include <functional>

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -13,7 +12,6 @@
 
 #include "x11/drawing/labels.h"
 #include "x11/drawing/painter.h"
-#include "x11/drawing/pen.h"
 #include "x11/drawing/wording.h"
 
 namespace xnewell::THIS_FILE {

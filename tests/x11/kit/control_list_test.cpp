@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "x11/kit/control_list.h"
 #include "x11/kit/key_table.h"
 #include "x11/kit/typed_number.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <set>
 #include <sstream>
 
 #include "tests/x11/support/command_fixture.h"

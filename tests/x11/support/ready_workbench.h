@@ -38,6 +38,10 @@ struct ReadyWorkbench : Workbench {
     type(letters);
     finish();
   }
+  void pointAt(int x, int y) {
+    hover(x, y);
+    finish();
+  }
   void click(int x, int y) {
     (void)grab(x, y);
     settle();

@@ -14,7 +14,6 @@
 #include "tests/support/seeds.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/staged_view.h"
-#include "x11/drawing/pen.h"
 #include "x11/trade/trade_view.h"
 #include "x11/views/trade_chart.h"
 

@@ -515,8 +515,7 @@ TEST(ViewHandles, StayUnderThePointer) {
     }
     EXPECT_EQ(b.viewing().list().focus(), std::optional{rowOf(handle).number});
     b.letGo();
-    b.hover(0, 0);
-    b.finish();
+    b.pointAt(0, 0);
     const Rect area = b.places().outside;
     const IndexImage after = b.part(area);
     ViewingWindow fresh;
@@ -566,23 +565,19 @@ TEST(ViewHandles, StopBeforeWhatIsNoView) {
 // below. A press alone changes no number.
 TEST(ViewHandles, AreNamedUnderThePointer) {
   HandleWindow b{ViewStage::World};
-  b.hover(0, 0);
-  b.finish();
+  b.pointAt(0, 0);
   const Rect area = b.places().outside;
   const xnewell::Setup before = b.setup();
   for (const ViewHandleRow& row : kViewHandles) {
     SCOPED_TRACE(row.is);
-    b.hover(0, 0);
-    b.finish();
+    b.pointAt(0, 0);
     const IndexImage still = b.part(area);
     const glm::ivec2 at = b.find(row.id).value();
-    b.hover(at.x, at.y);
-    b.finish();
+    b.pointAt(at.x, at.y);
     EXPECT_EQ(b.bench().status(), row.is);
     EXPECT_NE(b.part(area), still);
     EXPECT_EQ(b.image().row(at.y)[at.x], b.plan()[Cell::Q]);
-    b.hover(0, 0);
-    b.finish();
+    b.pointAt(0, 0);
     EXPECT_EQ(b.part(area), still);
     ASSERT_TRUE(b.grab(at.x, at.y));
     b.letGo();

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <set>
-#include <stdexcept>
 
 #include "shading/picture/cell_use.h"
 #include "shading/picture/palette_effects.h"

@@ -188,8 +188,7 @@ TEST(ColorsWindow, PointerAndArrowsInspectCells) {
   EXPECT_EQ(b.stale(), Stale::Nothing);  // the same cell
   b.hover(at.grid.x + 13 * at.pitch + 2, at.grid.y + 2 * at.pitch + 2);
   EXPECT_TRUE(inspects(45));
-  b.hover(4 * 77 + 1, strip.y + 30);
-  b.finish();
+  b.pointAt(4 * 77 + 1, strip.y + 30);
   for (const auto& [name, shift, cell] : {std::tuple{NamedKey::Right, false, 78},
                                           {NamedKey::Left, true, 68},
                                           {NamedKey::Up, false, 52},

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <set>
 
 #include "tests/x11/support/ready_workbench.h"
 #include "tests/x11/support/staged_view.h"
@@ -76,8 +75,7 @@ TEST(PictureView, SaysWhatAControlIsForAsFarAsTheWindowReaches) {
     ReadyWorkbench b{{}, w, h};
     for (const auto& [id, place] : columnOf(b).places) {
       const glm::ivec2 m = middle(place.area);
-      b.hover(m.x, m.y);
-      b.update();
+      b.pointAt(m.x, m.y);
       const WindowView& bench = b.bench();
       const std::string line = bench.status() + "   " + bench.aside();
       EXPECT_LE(16 + textWidth(line) + 16, w) << line;
