@@ -119,30 +119,6 @@ TEST(DoPatiently, SaysNothingOfWorkThatIsSoonDone) {
   }));
 }
 
-// While the work lasts, the calling thread is told the whole seconds since the start. The work here lasts
-// until two seconds are told.
-TEST(DoPatiently, TellsTheSeconds) {
-  std::vector<int> said;
-  std::promise<void> twoAreTold;
-  bool done = false;
-  const std::thread::id here = std::this_thread::get_id();
-  const auto before = steady_clock::now();
-  doPatiently([&] { done = twoAreTold.get_future().wait_for(kLongest) == std::future_status::ready; },
-              [&](int told) {
-                const auto sinceBefore = steady_clock::now() - before;
-                EXPECT_GE(sinceBefore, kPatience);
-                EXPECT_LE(std::chrono::seconds{told}, sinceBefore);
-                EXPECT_EQ(std::this_thread::get_id(), here);
-                if (told >= 2 && (said.empty() || said.back() < 2)) twoAreTold.set_value();
-                said.push_back(told);
-                return false;
-              });
-  EXPECT_TRUE(done);
-  ASSERT_FALSE(said.empty());
-  EXPECT_GE(said.front(), 1);
-  EXPECT_TRUE(std::ranges::is_sorted(said));
-}
-
 // What the work throws is thrown on. What the telling throws is thrown on too, but only when the work is
 // done.
 TEST(DoPatiently, PassesOnWhatIsThrown) {

@@ -242,26 +242,6 @@ TEST(WindowColormap, IsTakenBackWhereThePointerIs) {
   EXPECT_TRUE(comesTrue([&] { return window.colormapInstalled(); }));
 }
 
-// Under a window manager the program installs no colormap: that is the manager's task.
-TEST(WindowColormap, IsLeftToTheWindowManager) {
-  const XServer server = serverFor(8);
-  const OwnedDisplay manager = openDisplay(server.name());
-  XSelectInput(manager.get(), DefaultRootWindow(manager.get()), SubstructureRedirectMask);
-  XSync(manager.get(), 0);
-  RunningProgram program{words("view " + sized(800, 600)), server.name()};
-  XEvent event{};
-  ASSERT_TRUE(comesTrue([&] { return XCheckTypedEvent(manager.get(), MapRequest, &event) != 0; }));
-  RequestRecord record{server, event.xmaprequest.window};
-  XMapWindow(manager.get(), event.xmaprequest.window);
-  XSync(manager.get(), 0);
-  const WatchedWindow window{server};
-  XSetInputFocus(window.display(), window.id(), RevertToPointerRoot, CurrentTime);
-  window.moveTo(200, 200);
-  const OwnedColormap other = stealColormap(window);
-  ASSERT_TRUE(window.settles());
-  EXPECT_EQ(record.count(X_InstallColormap), 0);
-}
-
 // The window shows the right colours even if the default colormap has no free cell: it has its own map.
 TEST(WindowColormap, NeedsNoFreeCellInTheDefaultMap) {
   const XServer server = serverFor(8);

@@ -98,16 +98,10 @@ TEST(Workbench, DragsAddUp) {
 // At sizes from 1 x 1 up, every pixel is drawn. Where there is no room for the controls, the picture fills
 // the window.
 TEST(Workbench, EverySizeDraws) {
-  for (const auto& [w, h] : {std::pair{1, 1},
-                             {7, 900},
-                             {800, 599},
-                             {799, 600},
-                             {800, 540},
-                             {800, 539},
-                             {1023, 767},
-                             {1024, 768},
-                             {1600, 1200},
-                             {2500, 700}}) {
+  const std::vector<glm::ivec2> sizes{{1, 1},     {7, 900},    {800, 599},  {799, 600},   {800, 540},
+                                      {800, 539}, {1023, 767}, {1024, 768}, {1600, 1200}, {2500, 700}};
+  for (const glm::ivec2 size : sizes) {
+    const int w = size.x, h = size.y;
     SCOPED_TRACE(testing::Message() << w << " x " << h);
     ReadyWorkbench b{{}, w, h};
     EXPECT_EQ(b.image().width, w);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <set>
 
@@ -12,6 +13,7 @@
 #include "tests/support/seeds.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/program.h"
+#include "tests/x11/support/ready_workbench.h"
 #include "tests/x11/support/stepper.h"
 #include "x11/options/shell_words.h"
 #include "x11/stepper/fragment_tint.h"
@@ -291,13 +293,9 @@ TEST(OwnSort, TakingBackRestoresThePicture) {
   const Rect picture = s.places().picture, list = s.places().list, side = s.places().side;
   const auto parts = [&] {
     s.draw();
-    std::vector<std::uint8_t> cells;
-    for (const Rect& part : {picture, list, side})
-      for (int j = part.y; j < part.y + part.height; ++j)
-        cells.insert(cells.end(), s.image().row(j) + part.x, s.image().row(j) + part.x + part.width);
-    return cells;
+    return std::array{partOf(s.image(), picture), partOf(s.image(), list), partOf(s.image(), side)};
   };
-  std::vector<std::vector<std::uint8_t>> shown;
+  std::vector<std::array<IndexImage, 3>> shown;
   std::mt19937 dice{7};
   int tries = 0;
   for (; shown.size() < 12 && tries < 400; ++tries) {

@@ -117,7 +117,8 @@ TEST(TheirRun, TheProgramsOwnRunIsTheSame) {
   }
 }
 
-// Lines in any order, left out and twice, are a run that can be stepped, or none.
+// Lines in any order, left out and twice, are a run that can be stepped, or none. A program that ended early
+// has its last step, too.
 TEST(TheirRun, AnyLinesCanBeStepped) {
   const TemporaryFolder folder;
   Theirs s{"cycle"};
@@ -126,11 +127,15 @@ TEST(TheirRun, AnyLinesCanBeStepped) {
   std::vector<std::string> lines;
   std::istringstream text{readTextFile(file, 1 << 20)};
   for (std::string line; std::getline(text, line);) lines.push_back(line);
-  const std::size_t cut =
-      std::ranges::find_if(lines.rbegin(), lines.rend(),
-                           [](const std::string& line) { return line.find("\"cut\"") != std::string::npos; })
-          .base() -
-      lines.begin();  // its pieces have no names before
+  const auto opens = [&](const std::vector<std::string>& some) {
+    std::ofstream out{file};
+    for (const std::string& line : some) out << line << '\n';
+    out.close();
+    s.open(file);
+  };
+  const auto isCut = [](const std::string& line) { return line.find("\"cut\"") != std::string::npos; };
+  const std::size_t cut = std::ranges::find_if(lines.rbegin(), lines.rend(), isCut).base() -
+                          lines.begin();  // its pieces have no names before
   std::mt19937 random{7};
   int stepped = 0;
   for (int round = 0; round < 60; ++round) {
@@ -139,11 +144,8 @@ TEST(TheirRun, AnyLinesCanBeStepped) {
       const std::size_t a = cut + random() % (some.size() - cut), b = cut + random() % (some.size() - cut);
       random() % 2 == 0 ? std::swap(some[a], some[b]) : static_cast<void>(some[a] = some[b]);
     }
-    std::ofstream out{file};
-    for (const std::string& line : some) out << line << '\n';
-    out.close();
     try {
-      s.open(file);
+      opens(some);
     } catch (const ParseError&) {
       continue;
     }
@@ -157,12 +159,8 @@ TEST(TheirRun, AnyLinesCanBeStepped) {
     }
   }
   EXPECT_GE(stepped, 40);
-  // A program that ended early has its last step, too.
   for (std::size_t length = 2; length < lines.size(); ++length) {
-    std::ofstream out{file};
-    for (std::size_t k = 0; k < length; ++k) out << lines[k] << '\n';
-    out.close();
-    s.open(file);
+    opens({lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(length)});
     s.goTo(s.run().steps());
     s.draw();
   }
