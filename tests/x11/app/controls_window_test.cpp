@@ -17,20 +17,6 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-/// What the window of a workbench would show on a screen, made without a server.
-[[nodiscard]] RgbImage onScreen(const Workbench& bench, const Rect& rect) {
-  RgbImage image{rect.width, rect.height};
-  for (int j = 0; j < rect.height; ++j)
-    for (int i = 0; i < rect.width; ++i) {
-      const Rgb16& c = bench.palette()[bench.image().row(rect.y + j)[rect.x + i]];
-      std::uint8_t* const pixel = image.pixel(i, j);
-      pixel[0] = static_cast<std::uint8_t>(c.r >> 8);
-      pixel[1] = static_cast<std::uint8_t>(c.g >> 8);
-      pixel[2] = static_cast<std::uint8_t>(c.b >> 8);
-    }
-  return image;
-}
-
 /// The program's window on a server, and a workbench without a server. Both get the same keys and mouse, and
 /// must show the same pixels. The window is in the upper left corner of the screen. It has 1024 x 768 pixels
 /// at scale 1, 800 x 600 units at others.
@@ -112,7 +98,7 @@ class TwinWindow {
   [[nodiscard]] bool agrees() {
     finish();
     return std::ranges::all_of(
-        timeless(), [&](const Rect& part) { return window.comesToShow(onScreen(same, part), part); });
+        timeless(), [&](const Rect& part) { return window.comesToShow(onScreen(same.image(), same.palette(), part), part); });
   }
 
   const int unit;  ///< pixels

@@ -82,13 +82,7 @@ class BoxWatch {
     IndexImage window{1024, 768, plan[Cell::Paper]};
     for (int seconds = 1; seconds <= kSeconds; ++seconds) {
       drawBusyBox(window, 1, plan, seconds, note);
-      RgbImage& box = all.emplace_back(at_.width, at_.height);
-      std::size_t k = 0;
-      for (int j = at_.y; j < at_.y + at_.height; ++j)
-        for (int i = at_.x; i < at_.x + at_.width; ++i) {
-          const Rgb16 c = palette[window.row(j)[i]];
-          for (const int value : {c.r, c.g, c.b}) box.rgb[k++] = static_cast<std::uint8_t>(value >> 8);
-        }
+      all.push_back(onScreen(window, palette, at_));
     }
     return all;
   }

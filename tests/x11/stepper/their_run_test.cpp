@@ -70,31 +70,6 @@ TEST(TheirRun, JumpsFromOneFalseStepToTheNext) {
   EXPECT_GE(answers, 8);
 }
 
-// The page calls a polygon as judge does, and its numbers are pixels of their picture. A take that they have
-// not written is none of theirs.
-TEST(TheirRun, NamesAndNumbersAreThoseOfTheJudge) {
-  const TemporaryFolder folder;
-  Theirs s{"two-cards"};
-  std::ofstream{folder.file("run.jsonl")} << R"({"event": "run", "size": [800, 600]}
-{"event": "cut", "P": 0, "Q": 1, "behind": 12, "in_front": 13}
-{"event": "paint", "P": 12}
-{"event": "test", "P": 1, "Q": 13, "test": "2", "outcome": "yes"}
-)";
-  s.open(folder.file("run.jsonl"));
-  ASSERT_NE(s.picture().settings().width, 800);
-  const auto isTold = [&](int step, const std::string& words) {
-    s.goTo(step);
-    s.draw();
-    EXPECT_NE(s.words().find(words), std::string::npos) << s.words();
-  };
-  const double overlap = std::get<double>(s.report().wrong.at(0).numbers.at(0).second);
-  isTold(1, "into piece 12 of face 0 A, behind it, and piece 13 of face 0 A, in front.");
-  isTold(2, "line 3, not taken: P piece 12 of face 0 A");
-  isTold(3, "line 3, paint: P piece 12 of face 0 A");
-  isTold(4, "test 2 says yes: P face 1 B, Q piece 13 of face 0 A");
-  isTold(4, "share " + fixed(overlap, 0) + " px");
-}
-
 // What trace writes is the program's own run: the same is painted in the end, and no step is false.
 TEST(TheirRun, TheProgramsOwnRunIsTheSame) {
   const TemporaryFolder folder;

@@ -23,6 +23,18 @@ struct WatchedViewer {
   }
 };
 
+/// What a part of an image shows on a screen of 8 bits.
+[[nodiscard]] inline RgbImage onScreen(const IndexImage& image, const Palette& palette, const Rect& part) {
+  RgbImage shown{part.width, part.height};
+  for (int j = 0; j < part.height; ++j)
+    for (int i = 0; i < part.width; ++i) {
+      const Rgb16& c = palette[image.row(part.y + j)[part.x + i]];
+      std::uint8_t* pixel = shown.pixel(i, j);
+      for (const int value : {c.r, c.g, c.b}) *pixel++ = static_cast<std::uint8_t>(value >> 8);
+    }
+  return shown;
+}
+
 /// All of a window but the status line, which tells times. The screen must hold the whole window.
 inline Rect aboveStatus(int width, int height) {
   const Layout at = layoutOf(width, height);
