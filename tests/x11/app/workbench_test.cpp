@@ -166,22 +166,6 @@ TEST(Workbench, TheCameraSurvivesAnyKeys) {
   }
 }
 
-// A z-buffer and the oracle have no polygons for the server to fill. So the choice falls back to the scanline
-// filler, and the window says so. A BSP tree has polygons.
-TEST(Workbench, OrdersBySampleFillNoPolygons) {
-  ReadyWorkbench b;
-  b.type("FFF");
-  for (const Order order :
-       {Order::Bsp, Order::ZBuffer16, Order::ZBuffer24, Order::ZBuffer32, Order::Oracle}) {
-    b.type("O");
-    EXPECT_EQ(b.setup().picture.order, order);
-    EXPECT_EQ(b.setup().fill, order == Order::Bsp ? Fill::XFillPolygon : Fill::Scanline);
-  }
-  b.type("F");
-  EXPECT_EQ(b.setup().fill, Fill::Scanline);
-  EXPECT_EQ(b.stale(), Stale::Everything);  // the status line tells why
-}
-
 // As soon as the shading interpolates, the server no longer fills, in any view and whichever way the shading
 // was chosen.
 TEST(Workbench, NoViewLeavesTheServerWhatItCannotFill) {

@@ -1,15 +1,19 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "x11/kit/control_list.h"
 #include "x11/kit/key_table.h"
+#include "x11/kit/page.h"
 #include "x11/kit/typed_number.h"
 
 namespace xnewell::THIS_FILE {
 
 namespace {
 
-struct Page : Prompt {
-  Page() {
+struct Sheet : Prompt {
+  Sheet() {
     image = IndexImage{400, 300, 0};
     draw();
   }
@@ -95,13 +99,49 @@ struct Listener : Prompt {
   std::vector<std::string> notices;
 };
 
+using namespace page;
+
+Table numbers(int rows, int chosen) {
+  Table t{.key = "rows",
+          .columns = {{"name", "name"},
+                      {.head = "x", .key = "x", .right = true},
+                      {.head = "remark", .weight = 1}},
+          .chosen = chosen,
+          .id = 1};
+  for (int k = 0; k < rows; ++k)
+    t.rows.push_back({{"row " + std::to_string(k), k},
+                      {.data = k / 8.0, .number = k / 8.0},
+                      {"a remark that takes some room"}});
+  t.foot = {{{.words = "both columns", .span = 2}}};
+  return t;
+}
+
+/// The lines that a page has in an area, and what had no room.
+struct Drawn {
+  Drawn(const Page& page, int width, int height) {
+    const CellPlan plan{TableKind::Linear};
+    Pen pen{Painter{image}, plan};
+    pressed = draw(pen, page, {10, 10, width, height}, 16, {}, &leftOut);
+  }
+  IndexImage image{1000, 800, 0};
+  std::vector<std::string> leftOut;
+  std::vector<Pressed> pressed;
+  /// Whether something is drawn beyond the area.
+  [[nodiscard]] bool within(int width, int height) const {
+    for (int j = 0; j < image.height; ++j)
+      for (int i = 0; i < image.width; ++i)
+        if (image.row(j)[i] != 0 && (i < 6 || i >= 14 + width || j < 6 || j >= 14 + height)) return false;
+    return true;
+  }
+};
+
 }  // namespace
 
 // A page of controls, one of each kind, without a window.
 
 // A letter selects a slider; arrows, Shift, Home and End change the selected one and no other.
 TEST(ControlList, KeysChangeTheSelectedControl) {
-  Page page;
+  Sheet page;
   page.type("s");
   EXPECT_TRUE(page.press(NamedKey::Right));
   EXPECT_DOUBLE_EQ(page.share, 0.51);
@@ -124,7 +164,7 @@ TEST(ControlList, KeysChangeTheSelectedControl) {
 
 // Tab visits all controls that the arrows change, and comes round; with Shift, the other way.
 TEST(ControlList, TabGoesRound) {
-  Page page;
+  Sheet page;
   std::string visited;
   for (int k = 0; k < 8; ++k) {
     EXPECT_TRUE(page.press(NamedKey::Tab));
@@ -138,7 +178,7 @@ TEST(ControlList, TabGoesRound) {
 // The letter of several numbers goes through them, and each takes its own value: by the arrows, typed, and
 // dragged.
 TEST(ControlList, NumbersShareALetter) {
-  Page page;
+  Sheet page;
   page.type("vv");
   EXPECT_TRUE(page.press(NamedKey::Right));
   EXPECT_EQ(page.xyz, (std::array<double, 3>{1, 2.5, 3}));
@@ -158,7 +198,7 @@ TEST(ControlList, NumbersShareALetter) {
 
 // A control that is off keeps its value, whatever the user does, and says why.
 TEST(ControlList, OffSaysWhy) {
-  Page page;
+  Sheet page;
   page.type("o");
   for (const Key key : {Key{NamedKey::Left}, Key{NamedKey::Up}, Key{NamedKey::End}}) {
     page.notices.clear();
@@ -179,7 +219,7 @@ TEST(ControlList, OffSaysWhy) {
 
 // Without a selected control `=` says what is missing.
 TEST(ControlList, TypingNeedsAControl) {
-  Page page;
+  Sheet page;
   ASSERT_FALSE(page.list.focus());
   EXPECT_TRUE(page.press({'='}));
   EXPECT_FALSE(page.question);
@@ -197,7 +237,7 @@ TEST(ControlList, TypedNumbers) {
 // The pointer: an option is chosen, the name of a choice takes the next one, a toggle flips, a name selects
 // and changes nothing, and a thumb follows to both ends and no further.
 TEST(ControlList, ThePointer) {
-  Page page;
+  Sheet page;
   const std::vector<Rect> options = page.list.find({'C'})->options;
   ASSERT_TRUE(page.list.grab(page.controls(), options[2].x + 3, options[2].y + 3));
   EXPECT_EQ(page.choice, 2);
@@ -223,7 +263,7 @@ TEST(ControlList, ThePointer) {
 
 // Rows do not overlap, options that need more lines get them, and the column says where it ends.
 TEST(ControlList, LayoutReturnsWhatItTook) {
-  Page page;
+  Sheet page;
   const auto& places = page.list.places();
   int lowest = 0;
   for (std::size_t p = 0; p < places.size(); ++p) {
@@ -345,6 +385,72 @@ TEST(KeyTable, SaysWhatItDoes) {
                                                   {"drag", "turn it"},
                                                   {"+, wheel", "nearer"},
                                                   {"j", "a long step"}}));
+}
+
+// A page is told once: as text, with its marks taken out, and as JSON with all digits, in the order that it
+// asks for.
+TEST(Page, IsToldAsTextAndJson) {
+  page::Section s{"1 numbers", "an aside"};
+  s.add(numbers(2, 0));
+  s.add(Fact{"sum", 0.125, "their sum is " + asked(2, "0.1250") + std::string{kTick}});
+  s.fact("none", Data{});
+  s.fact("list", List{1, 2.5, "a", true, Object{{"k", std::optional<double>{}}}});
+  s.say("only words").indent = 2;
+  const Page page{.of = "a page", .title = "fine", .sections = {s}, .order = "sum rows"};
+  EXPECT_EQ(asText(page),
+            "a page: fine\n1 numbers: an aside\n"
+            "      name        x  remark\n"
+            "      row 0  0.0000  a remark that takes some room\n"
+            "      row 1  0.1250  a remark that takes some room\n"
+            "      both columns\n"
+            "      their sum is 0.1250\n"
+            "        only words\n");
+  EXPECT_EQ(asJson(page), R"({"sum":0.125,"rows":[{"name":0,"x":0.0},{"name":1,"x":0.125}],"none":null,)"
+                          R"("list":[1,2.5,"a",true,{"k":null}]})"
+                          "\n");
+  EXPECT_EQ(asLines(page, {2})[6], "      their sum is ?");
+  EXPECT_EQ(asLines(page, {3})[6], "      their sum is 0.1250");
+}
+
+// Of a table that has too little room, the chosen row is always there, with the first one; a line stands for
+// the others. Nothing is drawn beyond the area.
+TEST(Page, RowsOfALongTable) {
+  for (const int rows : {1, 4, 9, 30})
+    for (int chosen = 0; chosen < rows; ++chosen)
+      for (const int height : {120, 170, 300}) {
+        const Drawn drawn{{.sections = {{"t", "", {numbers(rows, chosen)}}}}, 300, height};
+        std::set<int> shown;
+        for (const Pressed& one : drawn.pressed) shown.insert(one.row);
+        EXPECT_TRUE(shown.contains(chosen) && shown.contains(0)) << rows << ' ' << chosen << ' ' << height;
+        EXPECT_TRUE(drawn.within(300, height)) << rows << ' ' << chosen << ' ' << height;
+      }
+}
+
+// The lightest goes first, whatever stands above or below it; where there is room again, it stays.
+TEST(Page, TheLightestGoesFirst) {
+  page::Section s{"weights"};
+  for (int weight = 1; weight <= 9; ++weight) s.say("weight " + std::to_string(weight), weight);
+  s.say("never in a window", 0);
+  for (int height = 60; height < 220; height += 10) {
+    const Drawn drawn{{.sections = {s}}, 200, height};
+    EXPECT_TRUE(drawn.within(200, height)) << height;
+    EXPECT_FALSE(std::ranges::count(drawn.leftOut, "never in a window"));
+    for (std::size_t k = 1; k <= 9; ++k)
+      EXPECT_EQ(std::ranges::count(drawn.leftOut, "weight " + std::to_string(k)), k <= drawn.leftOut.size());
+  }
+}
+
+// A narrow table gives up its remark, then decimals, and keeps its numbers; a finding gives up its last
+// lines.
+TEST(Page, ANarrowTableKeepsItsNumbers) {
+  page::Section s{"t"};
+  s.add(numbers(3, -1));
+  s.add(
+      page::Finding{.bold = "Found.", .why = "Why it is so, in a sentence that takes some lines of a box."});
+  for (const int width : {60, 84, 120, 200, 400})
+    EXPECT_TRUE(Drawn(Page{.sections = {s}}, width, 400).within(width, 400)) << width;
+  EXPECT_EQ(Drawn(Page{.sections = {s}}, 200, 400).image == Drawn(Page{.sections = {s}}, 400, 400).image,
+            false);
 }
 
 }  // namespace xnewell::THIS_FILE

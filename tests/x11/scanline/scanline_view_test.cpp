@@ -101,30 +101,6 @@ TEST(ScanlineView, SettingsKeepThePolygon) {
   EXPECT_TRUE(b.complains());
 }
 
-// y asks for the next cell. A wrong answer may be corrected; the first try counts. Nothing tells the answer
-// meanwhile.
-TEST(ScanlineView, PredictsTheNextCell) {
-  ScanlineWindow b;
-  b.does(NamedKey::Home);
-  b.does('y');
-  ASSERT_TRUE(b.isAsking());
-  const int cell = b.run().samples().front().steppedCell;
-  EXPECT_EQ(b.bench().report().size(), 1u);
-  b.answer(std::to_string(cell + 1));
-  EXPECT_TRUE(b.isAsking());
-  b.answer(std::to_string(cell));
-  EXPECT_FALSE(b.isAsking());
-  EXPECT_EQ(b.step(), 1);
-  EXPECT_EQ(b.view0().view().score, (Score{0, 1}));
-  b.does('y');
-  b.answer(std::to_string(b.run().samples()[1].steppedCell));
-  EXPECT_EQ(b.view0().view().score, (Score{1, 2}));
-  b.does('y');
-  b.does(NamedKey::Escape);
-  EXPECT_EQ(b.step(), 3);
-  EXPECT_EQ(b.view0().view().score, (Score{1, 2}));
-}
-
 // Before the first sample, the page does not show what y may ask for: its value and its cell.
 TEST(ScanlineView, TheFirstCellIsNotTold) {
   ScanlineWindow b;

@@ -57,21 +57,6 @@ TEST(Frames, DoNotDependOnTheWayThere) {
   for (int step = 1; step < std::ssize(forward); ++step) EXPECT_TRUE(differs(step)) << step;
 }
 
-// The last frame shows the picture in the same order, with nothing over it.
-TEST(Frames, TheLastOneIsThePicture) {
-  for (const char* scene : {"cycle", "penetrate", "room", "decals"})
-    for (const bool textbook : {true, false}) {
-      Recorded run{readScene(scene), 120, 90, textbook};
-      Frames frames{run.picture, run.sorted, textbook, {}};
-      const IndexImage finished = frames.finished();
-      const IndexImage image = run.picture.paint(CellPlan{}[Cell::Well]).image;
-      ASSERT_GE(finished.width, 320);
-      ASSERT_GT(finished.height, 90);
-      for (int j = 0; j < 90; ++j)
-        ASSERT_TRUE(std::equal(image.row(j), image.row(j) + 120, finished.row(j))) << scene << ' ' << j;
-    }
-}
-
 // No word reaches into the margin of the strip, for any names and for narrow frames, so no word is cut off.
 // Outlines stay in the picture.
 TEST(Frames, NothingIsCutOff) {

@@ -319,8 +319,7 @@ TEST(ViewingView, ShowsThreeMatrices) {
   }
 }
 
-// The words are the story's, rounded, for a scene with several lights and colours too; without light of a
-// point the page says so.
+// The words are the story's, rounded, for a scene with several lights and colours too.
 TEST(ViewingView, SaysWhatTheStorySays) {
   for (const char* scene : someOf({"teapot", "cubes", "hues", "colored-lights", "textured-cube"}, 2)) {
     ViewingWindow b{scene};
@@ -331,10 +330,6 @@ TEST(ViewingView, SaysWhatTheStorySays) {
       EXPECT_NE(b.words().find(line), std::string::npos) << scene << ' ' << row.name << '\n' << b.words();
     }
   }
-  ViewingWindow b;
-  b.change('[', [](xnewell::Setup& s) { s.picture.light.Ia = 1, s.picture.light.Ip = 0; });
-  b.finish();
-  EXPECT_NE(b.words().find("All light is ambient."), std::string::npos) << b.words();
 }
 
 // The face at a pixel from outside is the nearest one of all that are there, at every stage of the whole

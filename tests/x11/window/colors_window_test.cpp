@@ -346,27 +346,6 @@ TEST(MachBandsView, TheScanlineIsDragged) {
   }
 }
 
-// The number of divisions is part of the setup. A change divides the scene again, and undo divides it as
-// before. The picture is that of a scene read with these divisions.
-TEST(MachBandsView, DivisionsAreUndone) {
-  InMachBands b;
-  const Palette palette = b.palette();
-  const std::size_t faces = b.picture().scene().mesh.firstCorner.size();
-  b.type("k");
-  b.press(NamedKey::End);
-  b.press(NamedKey::Home);
-  EXPECT_EQ(b.picture().scene().divisions, 1);
-  EXPECT_EQ(b.setup().divisions, 1);
-  b.does('1');
-  Workbench fresh{readScene("teapot", 1), {}, {}};
-  fresh.resize(1024, 768);
-  fresh.update();
-  EXPECT_EQ(b.part(b.layout().picture), partOf(fresh.image(), b.layout().picture));
-  b.does('u');
-  EXPECT_EQ(b.picture().scene().mesh.firstCorner.size(), faces);
-  EXPECT_EQ(b.palette(), palette);
-}
-
 // A scene of colours is shown in one hue here, and in its own colours in the other views.
 TEST(MachBandsView, SharesTheSetup) {
   xnewell::Setup colours;
