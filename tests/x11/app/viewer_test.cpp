@@ -161,26 +161,17 @@ TEST(Viewer, TakesTheLetterOfAnotherGroup) {
 // GrabServer and UngrabServer. Then the window looks like a fresh start with these values.
 TEST_P(ViewerAt, CellsAndIndicesChangeInOneFrame) {
   struct Change {
-    std::string before;
-    std::function<void(const WatchedWindow&)> focus, act;
+    std::string before, focus;
+    KeySym key;  // or T
     std::string after;
   };
-  const auto nothing = [](const WatchedWindow&) {};
-  const auto key = [](KeySym symbol) { return [symbol](const WatchedWindow& w) { w.press(symbol); }; };
-  const auto type = [](const char* letters) {
-    return [letters](const WatchedWindow& w) { w.type(letters); };
+  std::vector<Change> changes{{"--shades 64", "c", XK_Left, "--shades 63"},
+                              {"--table corrected --shades 64", "c", XK_Home, "--table corrected --shades 2"},
+                              {"--table corrected", "o", XK_End, "--table corrected --i0 0.5"}};
+  const auto table = [](std::size_t row) {
+    return "--table " + std::string{kTables[row % kTables.size()].name};
   };
-  std::vector<Change> changes{
-      Change{"--shades 64", type("c"), key(XK_Left), "--shades 63"},
-      Change{"--table corrected --shades 64", type("c"), key(XK_Home), "--table corrected --shades 2"},
-      Change{"--table corrected", type("o"), key(XK_End), "--table corrected --i0 0.5"},
-  };
-  for (std::size_t k = 0; k < kTables.size(); ++k) {
-    const auto table = [](std::size_t row) {
-      return "--table " + std::string{kTables[row % kTables.size()].name};
-    };
-    changes.push_back({table(k), nothing, type("T"), table(k + 1)});
-  }
+  for (std::size_t k = 0; k < kTables.size(); ++k) changes.push_back({table(k), "", 0, table(k + 1)});
   // The marks of the defaults on the sliders of the colour table differ from those of a fresh start.
   const Layout at = layoutOf(1024, 768);
   const Rect tracks{at.controls.x + 78, at.controls.y + at.controls.height - 160, 180, 160};
@@ -195,10 +186,10 @@ TEST_P(ViewerAt, CellsAndIndicesChangeInOneFrame) {
                    after = withoutTracks(freshWindow(server, kTeapot + " " + change.after));
     const WatchedViewer viewer{server, kTeapot + " " + change.before};
     ASSERT_TRUE(viewer.window.comesToShow(before, kSeen));
-    change.focus(viewer.window);
+    viewer.window.type(change.focus);
     ASSERT_TRUE(viewer.window.settles());
     RequestRecord record{server, viewer.window.id()};
-    change.act(viewer.window);
+    change.key ? viewer.window.press(change.key) : viewer.window.type("T");
     EXPECT_TRUE(comesTrue([&] { return record.count(X_UngrabServer) == 1; }));
     EXPECT_EQ(frames(record), GetParam() == 8 ? "d[Sc]" : "d[c]");
     viewer.window.type("s");  // a fresh start has the keyboard there
