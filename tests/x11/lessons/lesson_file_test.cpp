@@ -328,19 +328,18 @@ TEST(KeptAnswers, AreWhatTheStudentGave) {
     window.bench.goTo(2);
     window.draw();
     EXPECT_FALSE(std::filesystem::exists(file));
-    window.press('b');
-    window.press(NamedKey::Return);
-    window.draw();
-    EXPECT_FALSE(window.bench.page().question->right);
-    EXPECT_NE(window.bench.layout().after.front().text.find("B was painted"), std::string::npos);
+    const auto answers = [&](char answer, const std::string& says) {
+      window.press(answer);
+      window.press(NamedKey::Return);
+      window.draw();
+      EXPECT_NE(window.bench.layout().after.front().text.find(says), std::string::npos);
+      return window.bench.page().question->right;
+    };
+    EXPECT_FALSE(answers('b', "B was painted"));
     EXPECT_EQ(read(file),
               nlohmann::json::parse(
                   R"({"answers": [{"lesson": "cycles", "step": 3, "tries": ["b"], "right": "d"}]})"));
-    window.press('d');
-    window.press(NamedKey::Return);
-    window.draw();
-    EXPECT_TRUE(window.bench.page().question->right);
-    EXPECT_EQ(window.bench.layout().after.front().text.find("Right. "), 0u);
+    EXPECT_TRUE(answers('d', "Right. "));
     EXPECT_EQ(read(file)["answers"][0]["tries"], (nlohmann::json{"b", "d"}));
   }
   KeptAnswers later;

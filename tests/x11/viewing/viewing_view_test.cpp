@@ -38,6 +38,21 @@ struct ViewingWindow : ReadyWorkbench {
     const Rect at = bench().frame(layout());
     return placeCamera(scene(), setup().picture.camera, static_cast<double>(at.width) / at.height);
   }
+  /// The large drawing.
+  [[nodiscard]] StageImage drawn(const OutsideTurn& turn = {}) {
+    const LitParts lit{picture(), palette()};
+    const ViewingStory story{picture(), *cornerOf(scene().mesh, viewing().vertex())};
+    const glm::ivec2 size{places().outside.width, places().outside.height};
+    return {picture(),
+            lit,
+            story,
+            StagePoints{scene().mesh, story.stages},
+            static_cast<ViewStage>(viewing().stage() - 1),
+            turn,
+            size,
+            ground(),
+            kWordBand};
+  }
   /// Types the value of the control that is selected.
   void typeValue(const std::string& text) {
     press('=');
@@ -137,21 +152,7 @@ struct HandleWindow : ViewingWindow {
     finish();
   }
   /// The camera of the large drawing.
-  [[nodiscard]] OutsideCamera outside() {
-    const LitParts lit{picture(), palette()};
-    const ViewingStory story{picture(), *cornerOf(scene().mesh, viewing().vertex())};
-    const Rect at = places().outside;
-    return StageImage{picture(),
-                      lit,
-                      story,
-                      StagePoints{scene().mesh, story.stages},
-                      static_cast<ViewStage>(viewing().stage() - 1),
-                      {},
-                      {at.width, at.height},
-                      ground(),
-                      kWordBand}
-        .camera();
-  }
+  [[nodiscard]] OutsideCamera outside() { return drawn().camera(); }
   /// The way of a handle in the drawing of the world, from one view to another.
   [[nodiscard]] glm::dvec2 wayOf(ViewHandle handle, const ViewSpec& to, const ViewSpec& from) {
     const OutsideCamera camera = outside();
@@ -240,17 +241,7 @@ TEST(ViewingView, AClickChoosesAVertexAndADragTurns) {
   const Rect at = b.places().outside;
   for (int stage = 1; stage <= 6; ++stage, b.does(NamedKey::Right)) {
     ASSERT_EQ(b.viewing().stage(), stage);
-    const LitParts lit{b.picture(), b.palette()};
-    const ViewingStory story{b.picture(), *cornerOf(b.scene().mesh, b.viewing().vertex())};
-    const StageImage drawn{b.picture(),
-                           lit,
-                           story,
-                           StagePoints{b.scene().mesh, story.stages},
-                           static_cast<ViewStage>(stage - 1),
-                           turnAt(static_cast<ViewStage>(stage - 1), {}),
-                           {at.width, at.height},
-                           b.ground(),
-                           kWordBand};
+    const StageImage drawn = b.drawn(turnAt(static_cast<ViewStage>(stage - 1), {}));
     int clicks = 0;
     for (int y = 5; y < at.height; y += 23)
       for (int x = 5; x < at.width; x += 31) {
