@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <sys/wait.h>
-
-#include <cstdlib>
 #include <set>
 #include <span>
 #include <sstream>
@@ -128,27 +125,6 @@ TEST_F(TraceCommand, LinesTellTheRun) {
   for (const TestRow& row : kTestRows) EXPECT_GT(settled[std::string{row.name}], 0) << row.name;
 }
 
-// According to the lines, every polygon is either cut once into pieces or painted once.
-TEST_F(TraceCommand, EveryPolygonIsPaintedOrCut) {
-  for (const Strings& words :
-       {Strings{"nested-cycles"}, Strings{"crossing-sheets"}, Strings{"nested-cycles", "--quick"}}) {
-    const std::vector<Json> lines = linesOf(words);
-    std::set<int> there;
-    for (int id = 0; id < lines.front()["polygons"]; ++id) there.insert(id);
-    int cuts = 0;
-    for (const Json& line : lines) {
-      if (line["event"] != "cut" && line["event"] != "paint") continue;
-      ASSERT_EQ(there.erase(line["P_id"].get<int>()), 1u) << line;
-      if (line["event"] == "paint") continue;
-      ++cuts;
-      EXPECT_TRUE(there.insert(line["behind_id"].get<int>()).second);
-      EXPECT_TRUE(there.insert(line["in_front_id"].get<int>()).second);
-    }
-    EXPECT_TRUE(there.empty());
-    EXPECT_GT(cuts, 0);
-  }
-}
-
 // --frames writes a picture for each step of the chosen kind and one for the end. The last one shows what
 // `draw` draws.
 TEST_F(TraceCommand, FramesOfEachKind) {
@@ -191,51 +167,8 @@ TEST_F(TraceCommand, FramesOfEachKind) {
   }
 }
 
-// With --whole-window the frames are the stepper's page at each step of its run.
-TEST_F(TraceCommand, FramesOfTheStepper) {
-  const std::string folder = file("stepper");
-  const Finished end =
-      runProgram({"trace", "cycle", "--frames", folder, "--every", "step", "--whole-window"});
-  ASSERT_EQ(end.status, 0) << end.err;
-  const std::map<std::string, int> words = framesIn(folder);
-  EXPECT_EQ(words.at("cut"), 1);
-  EXPECT_EQ(words.at("paint"), 3);
-  EXPECT_EQ(words.at("done"), 1);  // the fourth
-  std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator{folder}) names.insert(entry.path().string());
-  std::set<std::vector<std::uint8_t>> pictures;
-  for (const std::string& name : names) {
-    const RgbImage frame = readPng(name);
-    EXPECT_EQ(frame.width, 1024);
-    EXPECT_EQ(frame.height, 768);
-    pictures.insert(frame.rgb);
-  }
-  EXPECT_EQ(pictures.size(), names.size());
-  const std::string cuts = file("cuts");
-  ASSERT_EQ(runProgram({"trace", "cycle", "--frames", cuts, "--whole-window", "--size", "800x600"}).status,
-            0);
-  EXPECT_EQ(framesIn(cuts), (std::map<std::string, int>{{"cut", 1}, {"done", 1}}));
-}
-
 TEST_F(TraceCommand, AnInterruptLeavesWholeFrames) {
   interruptsLeaveWholeFrames({"trace", "nested-cycles", "--every", "step", "--size", "1500x1500"}, 1500);
-}
-
-// It is an error if the lines cannot be written. If the reader wants no more of them, the program ends
-// without a message.
-TEST_F(TraceCommand, StandardOutputThatTakesNoMore) {
-  const std::string trace = "'" + builtProgram() + "' trace room";
-  const auto shell = [&](const std::string& line) {
-    return WEXITSTATUS(std::system(("( " + line + " ) 2>'" + file("said") + "'").c_str()));
-  };
-  EXPECT_EQ(shell(trace + " >/dev/full"), 1);
-  EXPECT_EQ(contents(file("said")), "xnewell: standard output: No space left on device\n");
-  EXPECT_EQ(shell("trap '' PIPE; { " + trace + "; echo $? >'" + file("status") + "'; } | head -n 1 >'" +
-                  file("line") + "'"),
-            0);
-  EXPECT_EQ(contents(file("status")), "141\n");  // SIGPIPE, even if it was ignored
-  EXPECT_EQ(contents(file("said")), "");
-  EXPECT_EQ(Json::parse(contents(file("line")))["event"], "run");
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -347,26 +347,4 @@ TEST(Questions, OfferWhatMistakesGive) {
   EXPECT_GE(seen.size(), 9u);
 }
 
-// The same seed gives the same questions; no question comes twice; a GIFT file escapes what it must.
-TEST(Questions, AreRepeatable) {
-  const QuestionScene scene = about("cycle");
-  const auto first = makeQuestions(scene, 40, 7), again = makeQuestions(scene, 40, 7),
-             other = makeQuestions(scene, 40, 8);
-  ASSERT_EQ(first.size(), 40u);
-  EXPECT_EQ(questionsAsText(first).asked, questionsAsText(again).asked);
-  EXPECT_NE(questionsAsText(first).asked, questionsAsText(other).asked);
-  std::set<std::string> texts;
-  for (const ExamQuestion& q : first) texts.insert(q.text);
-  EXPECT_EQ(texts.size(), first.size());
-  const std::string gift = questionsAsGift(first, "PNG");
-  EXPECT_EQ(std::ranges::count(gift, '{'), 40);
-  EXPECT_NE(gift.find("round(11 + 239 I)"), std::string::npos);
-  EXPECT_NE(gift.find("\\= 0.02"), std::string::npos);
-  // Questions about the scene show it; no blank line parts a question.
-  EXPECT_NE(gift.find(R"(::[html]<p>)"), std::string::npos);
-  EXPECT_NE(gift.find(R"(src\="data\:image/png;base64,UE5H")"), std::string::npos);
-  EXPECT_EQ(std::ranges::count(gift, '}'), 40);
-  EXPECT_EQ(questionsAsText({}).asked.find("1."), std::string::npos);
-}
-
 }  // namespace xnewell::THIS_FILE
