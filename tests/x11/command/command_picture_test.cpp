@@ -170,24 +170,6 @@ TEST_F(DrawnPicture, IdsNameTheFaceInFront) {
   }
 }
 
-// Face numbers beyond 16 bits use all three channels. The scene has 300 x 300 squares, one for each pixel.
-TEST_F(DrawnPicture, IdsHave24Bits) {
-  std::string text;
-  for (int y = 0; y <= 300; ++y)
-    for (int x = 0; x <= 300; ++x) text += "v " + std::to_string(x) + " " + std::to_string(-y) + " 0\n";
-  for (int y = 0; y < 300; ++y)
-    for (int x = 0; x < 300; ++x) {
-      const int a = 301 * y + x + 1;
-      for (const int v : {a + 301, a + 302, a + 1, a})
-        text += (v == a + 301 ? "f " : " ") + std::to_string(v);
-      text += "\n";
-    }
-  const Drawn drawn = draw(write("grid.obj", text), {"--size", "300x300", "--eye", "150,-150,9", "--look-at",
-                                                     "150,-150,0", "--parallel", "300"});
-  for (int j = 0; j < 300; ++j)
-    for (int i = 0; i < 300; ++i) ASSERT_EQ(idAt(drawn.ids, i, j), 300 * j + i + 1) << i << ", " << j;
-}
-
 // A face of a million corners is one face, and so is a comb of ten thousand needles. (The boxes of all
 // needles overlap, which costs n^2 comparisons of boxes.)
 TEST_F(DrawnPicture, FacesOfManyCorners) {
@@ -314,22 +296,6 @@ TEST_F(CorpusTest, PicturesAreHandedInAsOthersWriteThem) {
     const Finished end = runProgram({"diagnose", "bench", write(name, content)});
     EXPECT_TRUE(end.out.starts_with("right\n")) << name << end.out << end.err;
   }
-}
-
-// An outline that runs the wrong way changes nothing while both sides are lit and faces are shaded flat. If
-// back faces are culled, its face is missing from the front, and its back shows.
-TEST_F(CorpusTest, ATurnedFaceShowsIfBothSidesAreLit) {
-  std::string right, wrong;
-  for (const CorpusModel& model : corpusModels()) {
-    if (model.name == "wrong.obj") wrong = write(model.name, model.content);
-    if (model.name == "crlf.obj") right = write(model.name, model.content);
-  }
-  const Strings view{"--eye", "5,3,8", "--shade", "flat"};
-  EXPECT_EQ(draw(wrong, view).png, draw(right, view).png);
-  const Strings cull = view + Strings{"--cull", "back"};
-  EXPECT_EQ(draw(right, cull).png, draw(right, view).png);
-  EXPECT_EQ(idCounts(draw(wrong, cull).ids).count(4), 0u);
-  EXPECT_GT(idCounts(draw(wrong, view).ids)[4], 100);
 }
 
 // A million faces: all are counted, the border is found, and each sampled face is the one that lies there.

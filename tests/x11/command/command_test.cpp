@@ -100,24 +100,6 @@ TEST_F(CommandTest, InterruptsLeaveNothingHalfDone) {
   EXPECT_EQ(twice.wait().status, 130);
 }
 
-// What is painted is counted in one way. The trace of the same run tells of each polygon and piece that it
-// paints, in a line of its own; there are as many lines. A scene that is divided into areas is not traced.
-TEST_F(CommandTest, PaintedIsWhatTheTracePaints) {
-  for (const char* scene : {"teapot", "cycle", "penetrate", "pinwheels", "slivers"}) {
-    SCOPED_TRACE(scene);
-    const Json stats = draw(scene, {"--size", "320x240"}).stats;
-    EXPECT_EQ(stats["polygons"], stats["in_view"].get<int>() + stats["degenerate"].get<int>() +
-                                     stats["culled"].get<int>() + stats["outside"].get<int>());
-    if (stats["areas"] != 0) continue;
-    std::istringstream trace{runProgram({"trace", scene, "--quick", "--size", "320x240"}).out};
-    int painted = 0;
-    for (std::string line; std::getline(trace, line);) painted += Json::parse(line)["event"] == "paint";
-    EXPECT_EQ(stats["painted"], painted);
-    EXPECT_EQ(stats["fragments"], painted);
-    EXPECT_LE(painted, stats["in_view"].get<int>() + stats["splits"].get<int>());
-  }
-}
-
 // --stats counts doubtful samples only where an order may have any. The number is that of a whole check: for
 // scenes whose faces touch, for exact orders and others.
 TEST_F(CommandTest, StatsCountWhatIsDoubtful) {

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -184,68 +183,6 @@ TEST(Snapshot, WholeWindowIsTheSameAtBothDepths) {
                    two = pictureOf("snapshot " + line, deep.name());
     ASSERT_EQ(std::pair(one.width, one.height), std::pair(w, h));
     EXPECT_EQ(cropped(one, part), cropped(two, part));
-  }
-}
-
-// A trade has no server, so it computes what a first picture sends. A snapshot measures the same: on an 8-bit
-// server without shared memory, with a colormap of its own.
-TEST(Snapshot, SendsWhatATradeComputes) {
-  const XServer server = XServer::xvfb(8, 1024, 768, {"-extension", "MIT-SHM"});
-  for (const char* line :
-       someOf({"cycle --size 800x600", "teapot --size 162x120", "teapot --size 162x120 --shades 8"}, 1)) {
-    SCOPED_TRACE(line);
-    const TemporaryFolder folder;
-    const auto told = [&](const std::string& command, const std::vector<std::string>& more) {
-      std::vector<std::string> all = words(command + ' ' + line);
-      all.insert(all.end(), more.begin(), more.end());
-      const Finished done = runProgram(all, server.name());
-      EXPECT_EQ(done.status, 0) << done.err;
-      return nlohmann::json::parse(done.out);
-    };
-    const auto sent = told("snapshot", {"--stats", "-o", folder.file("picture.png")}).at("sent");
-    const auto computed =
-        told("trade", {"--json", "--axes", "bits", "--budget", "1"}).at("as_it_is").at("x_server");
-    EXPECT_EQ(computed.at("requests"), sent.at("requests"));
-    EXPECT_EQ(computed.at("bytes"), sent.at("bytes"));
-  }
-}
-
-// --stats of a snapshot has what the server got. The pixels are among the bytes if they go through the
-// connection, and not if they go through shared memory. A server that fills polygons gets more requests.
-TEST(Snapshot, SaysWhatItSent) {
-  struct Case {
-    int depth;
-    std::vector<std::string> server;
-    std::int64_t bytesPerPixel;
-    bool shared;
-  };
-  for (const Case& c : {Case{24, {}, 4, true}, Case{24, {"-extension", "MIT-SHM"}, 4, false},
-                        Case{8, {}, 1, true}, Case{8, {"-extension", "MIT-SHM"}, 1, false}}) {
-    const XServer server = XServer::xvfb(c.depth, 640, 480, c.server);
-    const auto sent = [&](const std::string& more) {
-      const TemporaryFolder folder;
-      std::vector<std::string> line = words("snapshot teapot --divisions 3 --size 162x120 --stats" + more);
-      line.insert(line.end(), {"-o", folder.file("picture.png")});
-      const Finished done = runProgram(line, server.name());
-      EXPECT_EQ(done.status, 0) << done.err;
-      return nlohmann::json::parse(done.out).at("sent");
-    };
-    const nlohmann::json painted = sent(""), filled = sent(" --fill x11");
-    SCOPED_TRACE(painted.dump() + filled.dump());
-    const std::int64_t row = (162 * c.bytesPerPixel + 3) / 4 * 4;  // padded to 32 bits
-    for (const nlohmann::json& s : {painted, filled}) {
-      ASSERT_EQ(s.at("image_bytes"), 120 * row);
-      ASSERT_EQ(s.at("bits_per_pixel"), 8 * c.bytesPerPixel);
-      ASSERT_EQ(s.at("shared_memory"), c.shared);
-      const auto bytes = s.at("bytes").get<std::int64_t>(), requests = s.at("requests").get<std::int64_t>();
-      ASSERT_GE(bytes, 4 * requests);  // no request is shorter
-      ASSERT_GT(requests, 0);
-    }
-    const auto bytes = painted.at("bytes").get<std::int64_t>();
-    const std::int64_t pixels = c.shared ? 0 : 120 * row;
-    EXPECT_GE(bytes, pixels);
-    EXPECT_LT(bytes, pixels + 8'192);  // 256 colours of 12 bytes, and a few requests
-    EXPECT_GT(filled.at("requests").get<int>(), painted.at("requests").get<int>() + 100);
   }
 }
 

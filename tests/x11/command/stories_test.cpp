@@ -164,6 +164,7 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
     std::filesystem::remove(file("old.png"));
     std::filesystem::current_path(file("."));
     names_["<data>"] = XNEWELL_DATA_DIR;
+    names_["<cxx>"] = XNEWELL_CXX;
     names_["<hindered>"] = builtProgram("tests/xnewell_hindered");
   }
   ~Story() override { std::filesystem::current_path("/"); }
@@ -240,6 +241,9 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
     } else if (verb == "png") {
       const RgbImage image = readPng(rest.substr(0, equals));
       EXPECT_EQ(std::to_string(image.width) + 'x' + std::to_string(image.height), rest.substr(equals + 3));
+    } else if (verb == "note") {
+      const std::string note = noteInPng(rest.substr(0, equals)).value_or("");
+      EXPECT_TRUE(matches(note, rest.substr(equals + 3))) << note;
     } else if (verb == "looks") {
       EXPECT_EQ(readPng(wordsOf(rest).at(0)), readPng(wordsOf(rest).at(1)));
     } else if (verb == "files") {
@@ -328,7 +332,10 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
     server_.reset(), host_.reset();
     if (what == "nested") host_.emplace(XServer::xvfb(24, 1400, 1000));
     if (what == "nested") server_.emplace(XServer::xephyr(*host_, 8, 320, 240));
-    if (what == "8" || what == "24") server_.emplace(XServer::xvfb(std::stoi(what), 1024, 768));
+    if (what[0] == '8' || what[0] == '2') {  // its options stand behind the depth
+      const Strings words = wordsOf(what);
+      server_.emplace(XServer::xvfb(std::stoi(words[0]), 1024, 768, {words.begin() + 1, words.end()}));
+    }
     display_ = server_ ? server_->name() : what == "none" ? "" : what;
   }
 

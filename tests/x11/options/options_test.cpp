@@ -12,7 +12,6 @@
 #include "geometry/files/input_file.h"
 #include "geometry/files/output_file.h"
 #include "geometry/files/text_file.h"
-#include "shading/scene/scene.h"
 #include "shading/scene/settings.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/parsed_options.h"
@@ -81,22 +80,6 @@ TEST(Options, SetOneSettingEach) {
   only({"--back", "-2"}, [](auto& s) { s.camera.back = -2; });
 }
 
-// --keep takes names of what the scene may set.
-TEST(Options, KeepsPartsOfTheScene) {
-  EXPECT_EQ(drawn({"--ka", "1", "--keep", "ka,n"}).keep, (std::vector<std::string>{"ka", "n"}));
-  EXPECT_EQ(complaint({"--keep", "kq"}),
-            "--keep: 'kq' is not names of these, with commas between them: ambient, lights, ka, kd, ks, n");
-}
-
-// What an option needs may be said by the scene: a range goes with its linear attenuation.
-TEST(Options, GoWithWhatASceneAsksFor) {
-  PictureSettings scene;
-  scene.light.lightPosition = glm::dvec3{1, 2, 3}, scene.light.attenuation = Attenuation::Linear;
-  const std::vector<std::string> words{"draw", "teapot", "-o", "no.png", "--range", "3"};
-  EXPECT_EQ(parsed(words, scene).picture.light.range, 3);
-  EXPECT_THROW((void)parsed(words), UsageError);
-}
-
 // Settings of light and surfaces replace the scene's own; each says which.
 TEST(Options, ReplaceTheScenes) {
   std::vector<std::string_view> replaced;
@@ -120,21 +103,6 @@ TEST(Options, IntensitiesPushEachOther) {
   EXPECT_EQ(drawn({"--ia", "1"}).picture.light.Ip, 0.0);
   EXPECT_EQ(drawn({"--ip", "1"}).picture.light.Ia, 0.0);
   EXPECT_EQ(drawn({"--ip", "0.75"}).picture.light.Ia, 0.2);
-}
-
-// Effects on the palette are read as they are written.
-TEST(Options, EffectsChangeWhatIsStored) {
-  const auto only = [](const std::vector<std::string>& words, const PaletteEffects& expected) {
-    EXPECT_EQ(drawn(words).effects, expected) << words[0];
-    EXPECT_EQ(drawn(words).picture, PictureSettings{}) << words[0];
-  };
-  only({"--store", "brief"}, {.stored = TableKind::Brief});
-  only({"--turn", "-120.5"}, {.hueTurn = -120.5});
-  only({"--gamma", "2.2"}, {.gamma = 2.2});
-  only({"--bend", "100,12.5"}, {.bend = CurvePoint{100, 12.5}});
-  only({"--rotate", "-30"}, {.rotate = -30});
-  only({"--lit", "255"}, {.lit = 255});
-  EXPECT_EQ(drawn({"--view", "colours", "--cell", "0"}).window.cell, 0);
 }
 
 // Each option either works with all commands that draw a scene, or says where it works: it names commands
