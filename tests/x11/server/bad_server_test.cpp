@@ -7,8 +7,6 @@
 #include <chrono>
 #include <fstream>
 #include <functional>
-#include <iomanip>
-#include <iostream>
 #include <map>
 #include <optional>
 #include <set>
@@ -142,21 +140,17 @@ bool linesAreOurs(const std::string& text) {
 /// A good server, and a proxy that makes it a bad one.
 class BadServer : public testing::TestWithParam<int> {
  protected:
-  /// Runs `use` once for each plan, and prints how each ended.
-  void sweep(const std::string& fault, const Use& use,
-             const std::function<std::vector<XFaultPlan>(const Course&)>& plans,
+  /// Runs `use` once for each plan.
+  void sweep(const Use& use, const std::function<std::vector<XFaultPlan>(const Course&)>& plans,
              const std::function<void(const XFaultPlan&, const Course&)>& judge) {
     const Course good = runThrough(use, server, proxy);
     ASSERT_EQ(good.end.status, 0) << good.end.err;
     ASSERT_EQ(good.end.err, "");
     const std::string file = contents(use.file);
-    std::map<XRequest, std::string> outcomes;
     const std::vector<XFaultPlan> all = plans(good);
     for (const XFaultPlan& plan : someOf(all, 6)) {
       SCOPED_TRACE(proxy.nameOf(plan.request) + ", occurrence " + std::to_string(plan.occurrence));
       const Course course = runThrough(use, server, proxy, plan);
-      outcomes[plan.request] += (plan.occurrence == 1 ? "  first: " : "  last: ") +
-                                (course.carriedOut ? std::to_string(course.end.status) : "not reached");
       // The window's later requests depend on which events arrive together.
       EXPECT_TRUE(course.carriedOut || plan.occurrence > 1);
       EXPECT_TRUE(linesAreOurs(course.end.err)) << course.end.err;
@@ -171,12 +165,6 @@ class BadServer : public testing::TestWithParam<int> {
       }
       if (course.carriedOut) judge(plan, course);
     }
-    std::cout << fault << ": xnewell " << use.name << ", depth " << GetParam() << ", " << all.size()
-              << " runs; how often asked, and exit statuses\n";
-    for (const XRequest& r : kinds(good.requests))
-      if (outcomes.contains(r))
-        std::cout << "  " << std::left << std::setw(26) << proxy.nameOf(r) << std::right << std::setw(4)
-                  << std::ranges::count(good.requests, r) << outcomes[r] << '\n';
   }
 
   XServer server = serverFor(GetParam());
@@ -227,7 +215,7 @@ TEST_P(BadServer, RefusedRequestsAreNamed) {
   std::set<std::string> fatal;
   for (const Use& use : {visuals(), snapshot(folder), view()}) {
     SCOPED_TRACE(use.name);
-    sweep("refused", use, plans, [&](const XFaultPlan& plan, const Course& course) {
+    sweep(use, plans, [&](const XFaultPlan& plan, const Course& course) {
       EXPECT_THAT(course.end.status, testing::AnyOf(0, 1));
       if (course.end.status == 0) {
         EXPECT_TRUE(
@@ -267,9 +255,9 @@ TEST_P(BadServer, CutConnectionsAreTold) {
                   course.end.err.find("cannot open") != std::string::npos);
     };
     sweep(
-        "cut", use, [](const Course& good) { return at(XFault::CutRequest, good.requests, good); }, judge);
+        use, [](const Course& good) { return at(XFault::CutRequest, good.requests, good); }, judge);
     sweep(
-        "cut in the reply", use,
+        use,
         [](const Course& good) {
           std::vector<XRequest> answered = good.answered;
           answered.push_back(kConnectionSetup);
@@ -284,7 +272,7 @@ TEST_P(BadServer, StalledConnectionsCanBeInterrupted) {
   for (const Use& use : {visuals(), snapshot(folder), view()}) {
     SCOPED_TRACE(use.name);
     sweep(
-        "stalled", use,
+        use,
         [](const Course& good) {
           std::vector<XRequest> answered = good.answered;
           answered.push_back(kConnectionSetup);
