@@ -5,10 +5,14 @@
 #include <cmath>
 #include <ctime>
 #include <random>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include "geometry/exact/trig.h"
+#include "geometry/files/bpt.h"
 #include "geometry/model/solids.h"
+#include "geometry/model/vertex_normals.h"
 #include "shading/color/color_difference.h"
 #include "shading/color/quantize.h"
 #include "shading/fill/environment.h"
@@ -17,9 +21,11 @@
 #include "shading/fill/fill.h"
 #include "shading/fill/gouraud.h"
 #include "tests/bench/least.h"
+#include "tests/bench/triangulated.h"
 #include "tests/support/affine_over.h"
 #include "tests/support/full_color_picture.h"
 #include "tests/support/image_difference.h"
+#include "tests/support/normal_error.h"
 
 namespace xnewell {
 
@@ -184,7 +190,7 @@ BENCHMARK(BM_Fill<environmentMap>)->Name("BM_FillEnvironmentMap")->Apply(everySi
 BENCHMARK(BM_Fill<phong>)->Name("BM_FillPhong")->Apply(everySide);
 BENCHMARK(BM_Fill<perspectiveTexture>)->Name("BM_FillPerspectiveTexture")->Apply(everySide);
 
-/// ---- What an environment map and a palette cost, and how far off they are.
+/// ---- What an environment map, a palette and normals cost, and how far off they are.
 
 void everyAngle(benchmark::internal::Benchmark* error) {
   for (const int degrees : {0, 15, 30, 45, 60, 120}) error->Arg(degrees);
@@ -247,6 +253,44 @@ BENCHMARK_CAPTURE(BM_Quantize, cube, Quantizer::Cube, false)->Unit(benchmark::kM
 BENCHMARK_CAPTURE(BM_Quantize, cube_dithered, Quantizer::Cube, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_Quantize, chosen, Quantizer::Chosen, false)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_Quantize, chosen_dithered, Quantizer::Chosen, true)->Unit(benchmark::kMillisecond);
+
+// The errors of each rule against the true normals: the sphere's, or the patches' at the same corner. For the
+// teapot also without its creases.
+void BM_NormalError(benchmark::State& state) {
+  const NormalRow& rule = kNormalRules[state.range(1)];
+  const std::vector<BezierPatch> patches = readBpt(XNEWELL_DATA_DIR "/teapot.bpt");
+  const auto teapot = [&](int N) { return tessellate(patches, N); };
+  const auto& [name, mesh, truth] = [&]() -> std::tuple<std::string, Mesh, std::vector<glm::dvec3>> {
+    const auto ball = [](const char* shape, const Mesh& m) { return std::tuple{shape, m, sphereNormals(m)}; };
+    const auto smooth = [&](int N) { return withoutCreases(teapot(N), cornerNormals(patches, N)); };
+    switch (state.range(0)) {
+      case 0:
+        return ball("sphere 24 x 12", sphere(24, 12));
+      case 1:
+        return ball("sphere 48 x 24", sphere(48, 24));
+      case 2:
+        return ball("sphere 24 x 12 in triangles", triangulated(sphere(24, 12)));
+      case 3:
+        return ball("sphere 48 x 24 in triangles", triangulated(sphere(48, 24)));
+      case 4:
+        return {"teapot 8", teapot(8), cornerNormals(patches, 8)};
+      case 5:
+        return {"teapot 16", teapot(16), cornerNormals(patches, 16)};
+      case 6:
+        return {"teapot 8 but its creases", teapot(8), smooth(8)};
+      default:
+        return {"teapot 16 but its creases", teapot(16), smooth(16)};
+    }
+  }();
+  NormalError error;
+  for (auto _ : state) benchmark::DoNotOptimize(error = normalError(mesh, rule.id, truth));
+  state.counters["mean_degrees"] = error.mean;
+  state.counters["max_degrees"] = error.max;
+  state.SetLabel(name + ", " + std::string{rule.name});
+}
+BENCHMARK(BM_NormalError)
+    ->ArgsProduct({{0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3}})
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 
