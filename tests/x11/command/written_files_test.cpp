@@ -81,14 +81,14 @@ class WrittenFiles : public CommandTest {
     ::unsetenv("XNEWELL_HINDER");
     return program.wait();
   }
-  /// What the folder has beside the inputs, or with them, with the names of files in folders. An empty folder
-  /// counts as none.
-  [[nodiscard]] std::map<std::string, std::string> outputs(bool andInputs = false) const {
+  /// What the folder has beside the inputs, with the names of files in folders. An empty folder counts as
+  /// none.
+  [[nodiscard]] std::map<std::string, std::string> outputs() const {
     std::map<std::string, std::string> all;
     const std::filesystem::path top = file(".");
     for (const auto& entry : std::filesystem::recursive_directory_iterator{top})
       if (const std::string name = entry.path().lexically_relative(top).string();
-          entry.is_regular_file() && (andInputs || !name.starts_with("in/")))
+          entry.is_regular_file() && !name.starts_with("in/"))
         all[name] = contents(entry.path().string());
     return all;
   }
@@ -250,63 +250,6 @@ TEST_F(WrittenFiles, AreWholeOrAsTheyWere) {
     failed(row, target, "", std::strerror(EISDIR));
     failed(row, file("none/" + row.target), "", std::strerror(ENOENT));
   }
-}
-
-// No command writes what it has read: neither the scene's file nor one that it names, nor what is handed in,
-// whatever the file is called. Two outputs are two files.
-TEST_F(WrittenFiles, AreNeitherReadNorOneFile) {
-  write("a.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n");
-  write("m.mtl", "newmtl m\nmap_Kd t.png\n");
-  std::filesystem::copy_file(file("in/drawn.png"), file("t.png"));
-  write("s.json", R"({"objects": [{"file": "a.obj"}]})");
-  write("set.json", R"({"scene": "s.json"})");
-  write("rubric", "drawn 1\n");
-  std::filesystem::copy_file(std::string{XNEWELL_DATA_DIR} + "/lessons/cycles.json", file("l.json"));
-  std::filesystem::create_hard_link(file("s.json"), file("hard.png"));
-  std::filesystem::create_symlink("in/../s.json", file("soft.png"));
-  std::filesystem::create_symlink("new.png", file("dangling.png"));
-  const std::string read = ": it was read, so it would be lost: name another file",
-                    one = ": two outputs would be this one file";
-  struct Row {
-    Strings words;  ///< @NAME is a file in the folder
-    std::string target, complaint;
-  };
-  std::vector<Row> rows{
-      {{"questions", "@s.json", "--gift"}, "s.json", read},
-      {{"lesson", "@l.json", "--worksheet"}, "l.json", read},
-      {{"grade", "@s.json", "@in", "-o", "@new.csv", "--page"}, "s.json", read},
-      {{"grade", "bench", "@in", "-o", "@new.csv", "--page"}, "in/drawn.png", read},
-      {{"grade", "bench", "@in", "-o"}, "in/wrong.jsonl", read},
-      {{"grade", "bench", "@in", "-o", "@new.csv", "--page"}, "new.csv", one},
-      {{"grade", "bench", "@in", "--rubric", "@rubric", "-o"}, "rubric", read},
-      {{"judge", "@set.json", "@in/wrong.jsonl", "-o"}, "s.json", read},
-      {{"judge", "@set.json", "@in/wrong.jsonl", "-o"}, "in/wrong.jsonl", read},
-      {{"diagnose", "bench", "@in/drawn.png", "-o"}, "in/drawn.png", read},
-      {{"figure", "@s.json", "-o", "@new.svg", "--ids"}, "new.svg", one},
-      {{"trade", "@s.json", "-o"}, "s.json", read},
-      {{"extremes", "@s.json", "-o"}, "s.json", read},
-      {{"draw", "@in/drawn.png", "-o"}, "in/drawn.png", read},
-      {{"draw", "textured-cube", "--texture", "@t.png", "-o"}, "t.png", read},
-      {{"draw", "cycle", "-o", "@new.png", "--ids"}, "dangling.png", one},
-  };
-  for (const char* target : {"set.json", "s.json", "hard.png", "soft.png", "a.obj", "m.mtl", "t.png"}) {
-    rows.push_back({{"draw", "@set.json", "-o"}, target, read});
-    rows.push_back({{"draw", "@set.json", "-o", "@new.png", "--ids"}, target, read});
-  }
-  const auto before = outputs(true);
-  for (const Row& row : rows) {
-    Strings words;
-    for (const std::string& word : row.words)
-      words.push_back(word.starts_with('@') ? file(word.substr(1)) : word);
-    const Finished end = runProgram(words + Strings{file(row.target)});
-    EXPECT_EQ(end.status, 2) << row.words[0] << ' ' << row.target;
-    EXPECT_EQ(end.err, "xnewell: " + file(row.target) + row.complaint + '\n');
-    EXPECT_EQ(end.out, "");
-    EXPECT_TRUE(outputs(true) == before) << row.words[0] << ' ' << row.target;
-  }
-  // A name that is only read as a built-in scene is free, and a device takes two outputs.
-  EXPECT_EQ(runProgram({"draw", "cycle", "-o", file("cycle")}).status, 0);
-  EXPECT_EQ(runProgram({"draw", "cycle", "-o", "/dev/null", "--ids", "/dev/null"}).status, 0);
 }
 
 // An interrupt while a file is half written, and again before it takes its name: the program ends as soon as
