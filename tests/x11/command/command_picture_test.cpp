@@ -111,8 +111,6 @@ void expectSheets(const RgbImage& ids, const std::vector<Sheet>& all, double eye
   EXPECT_GT(hidden, 1000);
 }
 
-int covered(const RgbImage& ids) { return ids.width * ids.height - idCounts(ids)[0]; }
-
 /// The face that a ray meets first, from 1, or 0: each outline is projected along its largest axis, and a
 /// point is inside if a half line from it crosses the outline an odd number of times. A triangle's plane is
 /// that of its corners; an outline's goes through its vector area.
@@ -168,33 +166,6 @@ TEST_F(DrawnPicture, IdsNameTheFaceInFront) {
     expectSheets(culled.ids, all, 9, 1.5, false, true);
     EXPECT_GT(culled.stats["culled"], 0);
   }
-}
-
-// A face of a million corners is one face, and so is a comb of ten thousand needles. (The boxes of all
-// needles overlap, which costs n^2 comparisons of boxes.)
-TEST_F(DrawnPicture, FacesOfManyCorners) {
-  const int kCorners = kSanitized ? 100'000 : 1'000'000;
-  std::string disc, corners, comb;
-  for (int c = 0; c < kCorners; ++c) {
-    const double a = 2 * 3.14159265358979 * c / kCorners;
-    disc += "v " + number(std::cos(a)) + " " + number(std::sin(a)) + " 0\n";
-  }
-  for (int c = 1; c <= kCorners; ++c) corners += " " + std::to_string(c);
-  const Strings view{"--eye", "0,0,9", "--look-at", "0,0,0", "--parallel", "4"};
-  const RgbImage ids = draw(write("disc.obj", disc + "f" + corners + "\n"), view).ids;
-  EXPECT_NEAR(covered(ids), 3.14159265358979 * 30 * 30,
-              2 * 3.14159265358979 * 30);  // half a pixel to each side of the rim
-  EXPECT_EQ(idCounts(ids).size(), 2u);
-
-  const int kTeeth = kSanitized ? 1'000 : 5'000;
-  for (int c = 0; c < kTeeth; ++c)
-    comb += "v " + std::to_string(2 * c) + " 1 0\nv " + std::to_string(2 * c + 1) + " 9000 0\n";
-  comb += "v 10000 0 0\nv 0 0 0\nf";
-  for (int c = 2 * kTeeth + 2; c > 0; --c) comb += " " + std::to_string(c);
-  const Drawn drawn = draw(write("comb.obj", comb + "\n"));
-  EXPECT_EQ(drawn.stats["faces"], 1);
-  EXPECT_EQ(drawn.stats["polygons"], 2 * kTeeth);
-  EXPECT_GT(covered(drawn.ids), 1000);
 }
 
 // Models as people have them: the program counts their faces, their open, turned and crowded edges, says what
@@ -276,26 +247,6 @@ TEST_F(CorpusTest, OneCubeIsOnePicture) {
     ++cubes;
   }
   EXPECT_EQ(cubes, 11);
-}
-
-// A picture is handed in as other programs write it: PPM of bytes or of words, or BMP.
-TEST_F(CorpusTest, PicturesAreHandedInAsOthersWriteThem) {
-  ASSERT_EQ(runProgram({"draw", "bench", "--size", "160x120", "-o", file("a.png")}).status, 0);
-  const RgbImage picture = readPng(file("a.png"));
-  std::string text = "P3\n160 120\n255\n", bytes = "P6\n160 120\n255\n";
-  std::string bmp = "BM" + std::string(52, '\0');
-  bmp[10] = 54, bmp[14] = 40, bmp[18] = static_cast<char>(160), bmp[22] = 120, bmp[26] = 1, bmp[28] = 24;
-  for (const std::uint8_t v : picture.rgb) {
-    text += std::to_string(v) + '\n';
-    bytes += static_cast<char>(v);
-  }
-  for (int j = 119; j >= 0; --j)
-    for (int i = 0; i < 160; ++i)
-      for (const int c : {2, 1, 0}) bmp += static_cast<char>(picture.pixel(i, j)[c]);
-  for (const auto& [name, content] : {std::pair{"a.txt.ppm", text}, {"a.ppm", bytes}, {"a.bmp", bmp}}) {
-    const Finished end = runProgram({"diagnose", "bench", write(name, content)});
-    EXPECT_TRUE(end.out.starts_with("right\n")) << name << end.out << end.err;
-  }
 }
 
 // A million faces: all are counted, the border is found, and each sampled face is the one that lies there.

@@ -131,14 +131,6 @@ inline int idAt(const RgbImage& ids, int i, int j) {
   return p[0] << 16 | p[1] << 8 | p[2];
 }
 
-/// Each id with its number of pixels.
-inline std::map<int, int> idCounts(const RgbImage& ids) {
-  std::map<int, int> counts;
-  for (int j = 0; j < ids.height; ++j)
-    for (int i = 0; i < ids.width; ++i) ++counts[idAt(ids, i, j)];
-  return counts;
-}
-
 /// The words of a printed command, after the program's name. No word of these tests needs quotes.
 inline Strings commandWords(const std::string& command, const std::string& picture) {
   Strings words;
