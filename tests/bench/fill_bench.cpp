@@ -5,15 +5,27 @@
 #include <cmath>
 #include <ctime>
 #include <random>
+#include <string>
+#include <tuple>
 #include <vector>
 
+#include "geometry/exact/trig.h"
+#include "geometry/files/bpt.h"
 #include "geometry/model/solids.h"
+#include "geometry/model/vertex_normals.h"
+#include "shading/color/color_difference.h"
+#include "shading/color/quantize.h"
+#include "shading/fill/environment.h"
 #include "shading/fill/environment_map.h"
 #include "shading/fill/evaluated.h"
 #include "shading/fill/fill.h"
 #include "shading/fill/gouraud.h"
 #include "tests/bench/least.h"
+#include "tests/bench/triangulated.h"
 #include "tests/support/affine_over.h"
+#include "tests/support/full_color_picture.h"
+#include "tests/support/image_difference.h"
+#include "tests/support/normal_error.h"
 
 namespace xnewell {
 
@@ -177,6 +189,108 @@ BENCHMARK(BM_Fill<gouraudTable>)->Name("BM_FillGouraudTable")->Apply(everySide);
 BENCHMARK(BM_Fill<environmentMap>)->Name("BM_FillEnvironmentMap")->Apply(everySide);
 BENCHMARK(BM_Fill<phong>)->Name("BM_FillPhong")->Apply(everySide);
 BENCHMARK(BM_Fill<perspectiveTexture>)->Name("BM_FillPerspectiveTexture")->Apply(everySide);
+
+/// ---- What an environment map, a palette and normals cost, and how far off they are.
+
+void everyAngle(benchmark::internal::Benchmark* error) {
+  for (const int degrees : {0, 15, 30, 45, 60, 120}) error->Arg(degrees);
+}
+
+// The environment map against the illumination equation, for a light some degrees off the view axis on a
+// white surface. The map is as published or turned. All normals count that face the eye and have a place in
+// the map. `rms`: root of the mean square error of the intensity. Time: making one map.
+template <EnvironmentForm kForm>
+void BM_EnvironmentError(benchmark::State& state) {
+  const SinCos angle = sinCosDegrees(static_cast<double>(state.range(0)));
+  const glm::dvec3 L{angle.sin, 0, angle.cos};
+  const Lighting lighting = resolve(cube(), {}, {.Ia = 0, .Ip = 1, .kd = 1, .ks = 0, .light = L},
+                                    Channels::Luminance, {0, 0, 5}, {0, 0, 0});
+  Environment map;
+  for (auto _ : state)
+    map = makeEnvironment(kForm, lighting, lighting.materials[0], 0, glm::dmat3{1.0}, {0, 0, 0});
+  double squares = 0;
+  int count = 0;
+  for (int k = 0; k < 1'000'000; ++k) {
+    const double x = (k % 1000 + 0.5) / 500 - 1, y = (k / 1000 + 0.5) / 500 - 1, z = 1 - x * x - y * y;
+    if (z < 0) continue;
+    const glm::dvec3 N{x, y, std::sqrt(z)}, at = map.frame * N;
+    const int column = static_cast<int>(kMapCentre + kMapScale * at.x);
+    const int row = static_cast<int>(kMapCentre + kMapScale * at.y);
+    const std::vector<float>& side = map.twoMaps && at.z < 0 ? map.away : map.front;
+    const double error = side[256 * row + column] - std::max(0.0, glm::dot(N, L));
+    squares += error * error;
+    ++count;
+  }
+  state.counters["rms"] = std::sqrt(squares / count);
+}
+BENCHMARK(BM_EnvironmentError<EnvironmentForm::Published>)
+    ->Name("BM_EnvironmentErrorPublished")
+    ->Apply(everyAngle)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_EnvironmentError<EnvironmentForm::Rotated>)
+    ->Name("BM_EnvironmentErrorRotated")
+    ->Apply(everyAngle)
+    ->Unit(benchmark::kMicrosecond);
+
+// Balls of seven hues, 800x600, quantized into the cells. With the cube the time is linear in the pixels;
+// with a chosen palette it also depends on the different colours. The differences are CIEDE2000 over the
+// pixels that show something: pixel by pixel, and as means of 8x8 blocks, which is what dithering is for.
+void BM_Quantize(benchmark::State& state, Quantizer quantizer, bool dither) {
+  const FullColorPicture picture = coloredBalls(800, 600);
+  const QuantizeSettings settings{.quantizer = quantizer, .dither = dither};
+  IndexImage cells{800, 600, 0};
+  std::vector<Rgb16> colors;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(colors = quantize(picture.rgb, picture.shows, settings, cells));
+  const RgbImage result = shown(cells, colors, settings.first);
+  const ImageDifference difference = imageDifference(picture.rgb, result, picture.shows);
+  state.counters["mean_delta_e"] = difference.mean;
+  state.counters["max_delta_e"] = difference.largest;
+  state.counters["mean_delta_e_of_blocks"] = imageDifference(blocksOf(picture.rgb), blocksOf(result)).mean;
+  state.SetItemsProcessed(state.iterations() * difference.pixels);
+}
+BENCHMARK_CAPTURE(BM_Quantize, cube, Quantizer::Cube, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Quantize, cube_dithered, Quantizer::Cube, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Quantize, chosen, Quantizer::Chosen, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Quantize, chosen_dithered, Quantizer::Chosen, true)->Unit(benchmark::kMillisecond);
+
+// The errors of each rule against the true normals: the sphere's, or the patches' at the same corner. For the
+// teapot also without its creases.
+void BM_NormalError(benchmark::State& state) {
+  const NormalRow& rule = kNormalRules[state.range(1)];
+  const std::vector<BezierPatch> patches = readBpt(XNEWELL_DATA_DIR "/teapot.bpt");
+  const auto teapot = [&](int N) { return tessellate(patches, N); };
+  const auto& [name, mesh, truth] = [&]() -> std::tuple<std::string, Mesh, std::vector<glm::dvec3>> {
+    const auto ball = [](const char* shape, const Mesh& m) { return std::tuple{shape, m, sphereNormals(m)}; };
+    const auto smooth = [&](int N) { return withoutCreases(teapot(N), cornerNormals(patches, N)); };
+    switch (state.range(0)) {
+      case 0:
+        return ball("sphere 24 x 12", sphere(24, 12));
+      case 1:
+        return ball("sphere 48 x 24", sphere(48, 24));
+      case 2:
+        return ball("sphere 24 x 12 in triangles", triangulated(sphere(24, 12)));
+      case 3:
+        return ball("sphere 48 x 24 in triangles", triangulated(sphere(48, 24)));
+      case 4:
+        return {"teapot 8", teapot(8), cornerNormals(patches, 8)};
+      case 5:
+        return {"teapot 16", teapot(16), cornerNormals(patches, 16)};
+      case 6:
+        return {"teapot 8 but its creases", teapot(8), smooth(8)};
+      default:
+        return {"teapot 16 but its creases", teapot(16), smooth(16)};
+    }
+  }();
+  NormalError error;
+  for (auto _ : state) benchmark::DoNotOptimize(error = normalError(mesh, rule.id, truth));
+  state.counters["mean_degrees"] = error.mean;
+  state.counters["max_degrees"] = error.max;
+  state.SetLabel(name + ", " + std::string{rule.name});
+}
+BENCHMARK(BM_NormalError)
+    ->ArgsProduct({{0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3}})
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 

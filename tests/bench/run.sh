@@ -8,6 +8,6 @@ need "${program_packages[@]}" libbenchmark-dev
 build bench
 # The memory of the program: x11/terminal/memory.h.
 export GLIBC_TUNABLES=glibc.malloc.mmap_threshold=33554432:glibc.malloc.trim_threshold=268435456:glibc.malloc.hugetlb=1
-for program in geometry depthsort shading; do
+for program in depthsort shading; do
   "$root/build/bench/tests/bench/${program}_bench" --benchmark_filter="${1:-.}" "${@:2}"
 done

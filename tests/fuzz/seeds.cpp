@@ -8,7 +8,7 @@
 
 #include "shading/color/png.h"
 #include "tests/x11/support/corpus_models.h"
-#include "tests/x11/support/malformed_files.h"
+#include "tests/x11/support/story_text.h"
 
 namespace xnewell {
 
@@ -43,15 +43,35 @@ class Seeds {
   std::map<std::string, int> count_;
 };
 
+/// The texts that a story gives to a reader: its lines `: TEXT -> COMPLAINT` below a line `READER TEXT`.
+void addTexts(Seeds& seeds, const fs::path& story) {
+  std::ifstream in{story};
+  std::map<std::string, std::string> names;
+  std::string reader, around;
+  for (std::string line; std::getline(in, line);) {
+    line = withNames(line, names);
+    const std::size_t blank = std::min(line.find(' '), line.size()), equals = line.find(" = ");
+    const std::string verb = line.substr(0, blank);
+    if (verb == "let" && equals != line.npos)
+      names['<' + line.substr(4, equals - 4) + '>'] = line.substr(equals + 3);
+    for (const std::string kind : {"obj", "mtl", "ply", "off", "bpt", "scene", "lesson"})
+      if (verb == kind) reader = kind, around = line.substr(blank + 1);
+    if (verb != ":" || reader.empty() || line.rfind(" -> ") == line.npos) continue;
+    std::string text = around;
+    if (const std::size_t at = text.find('@'); at != text.npos)
+      text.replace(at, 1, line.substr(2, std::max<std::size_t>(line.rfind(" -> "), 2) - 2));
+    seeds.add(reader, unescaped(text));
+  }
+}
+
 }  // namespace
 
 /// seeds FOLDER: writes what the fuzzers begin with. These are the project's own files of each format, the
-/// models of corpus_models.cpp and the files that malformed_files.cpp lists, and random bytes for polygons.
+/// models of corpus_models.cpp, the texts that tests/stories give to readers, and random bytes for polygons.
 void writeSeeds(const fs::path& folder) {
   Seeds seeds{folder};
   for (const CorpusModel& model : corpusModels()) seeds.addFile(model.name, model.content, "scene");
-  for (const Malformed& file : malformedFiles())
-    seeds.addFile(file.name, file.content, file.name == "l.json" ? "lesson" : "scene");
+  for (const auto& entry : fs::directory_iterator{XNEWELL_STORIES}) addTexts(seeds, entry.path());
   for (const fs::path source : {XNEWELL_DATA_DIR, XNEWELL_TESTS_DATA_DIR, XNEWELL_EXAMPLE_DIR})
     for (const auto& entry : fs::recursive_directory_iterator{source}) {
       const fs::path& file = entry.path();

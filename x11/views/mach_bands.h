@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "shading/laboratory/profile.h"
-#include "x11/drawing/rect.h"
+#include "x11/drawing/painter.h"
 #include "x11/views/views.h"
 
 namespace xnewell {

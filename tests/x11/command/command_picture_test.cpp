@@ -3,24 +3,24 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <random>
-#include <set>
 
-#include "geometry/exact/unit.h"
-#include "geometry/files/obj.h"
-#include "geometry/model/solids.h"
 #include "tests/support/seeds.h"
-#include "tests/support/triangle_soup.h"
 #include "tests/x11/support/command_fixture.h"
+#include "tests/x11/support/corpus_models.h"
+#include "tests/x11/support/program_picture.h"
 
 namespace xnewell::THIS_FILE {
 
-/// What the program draws: the face image against an independent decision, the meaning of each option, and
-/// extreme scenes and cameras.
+/// What the program draws: the face image against independent decisions, models as people have them, and the
+/// code for newer processors against the code for any.
 
 namespace {
 
 using DrawnPicture = CommandTest;
+using CorpusTest = CommandTest;
+using Baseline = CommandTest;
 
 /// A polygon in a plane of constant z.
 struct Sheet {
@@ -111,13 +111,42 @@ void expectSheets(const RgbImage& ids, const std::vector<Sheet>& all, double eye
   EXPECT_GT(hidden, 1000);
 }
 
-std::set<int> colorsOf(const RgbImage& image) {
-  std::set<int> colors;
-  for (const auto& [color, count] : idCounts(image)) colors.insert(color);
-  return colors;
+/// The face that a ray meets first, from 1, or 0: each outline is projected along its largest axis, and a
+/// point is inside if a half line from it crosses the outline an odd number of times. A triangle's plane is
+/// that of its corners; an outline's goes through its vector area.
+int firstHit(const std::vector<glm::dvec3>& points, const std::vector<std::vector<int>>& faces,
+             const glm::dvec3& from, const glm::dvec3& along) {
+  int hit = 0;
+  double nearest = INFINITY;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const std::vector<int>& face = faces[f];
+    glm::dvec3 N{0.0};
+    for (std::size_t k = 0; k < face.size(); ++k)
+      N += glm::cross(points[face[k]], points[face[(k + 1) % face.size()]]);
+    const double slope = glm::dot(N, along), t = glm::dot(N, points[face[0]] - from) / slope;
+    if (slope == 0.0 || t >= nearest) continue;
+    const glm::dvec3 P = from + t * along, n = glm::abs(N);
+    const int drop = n.x > n.y ? (n.x > n.z ? 0 : 2) : (n.y > n.z ? 1 : 2), a = (drop + 1) % 3,
+              b = (drop + 2) % 3;
+    bool inside = false;
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const glm::dvec3 &p = points[face[k]], &q = points[face[(k + 1) % face.size()]];
+      if ((p[b] > P[b]) != (q[b] > P[b]) && P[a] < p[a] + (P[b] - p[b]) / (q[b] - p[b]) * (q[a] - p[a]))
+        inside = !inside;
+    }
+    if (inside) nearest = t, hit = static_cast<int>(f) + 1;
+  }
+  return hit;
 }
 
-int covered(const RgbImage& ids) { return ids.width * ids.height - idCounts(ids)[0]; }
+/// The faces of a shape as triangles, for outlines of four corners that are not planar, along one diagonal or
+/// the other; and the face of each triangle.
+std::vector<std::vector<int>> alongDiagonal(const std::vector<std::vector<int>>& faces, int first) {
+  std::vector<std::vector<int>> triangles;
+  for (const std::vector<int>& f : faces)
+    for (const int k : {first, first + 2}) triangles.push_back({f[k % 4], f[(k + 1) % 4], f[(k + 2) % 4]});
+  return triangles;
+}
 
 }  // namespace
 
@@ -139,209 +168,123 @@ TEST_F(DrawnPicture, IdsNameTheFaceInFront) {
   }
 }
 
-// Face numbers beyond 16 bits use all three channels. The scene has 300 x 300 squares, one for each pixel.
-TEST_F(DrawnPicture, IdsHave24Bits) {
-  std::string text;
-  for (int y = 0; y <= 300; ++y)
-    for (int x = 0; x <= 300; ++x) text += "v " + std::to_string(x) + " " + std::to_string(-y) + " 0\n";
-  for (int y = 0; y < 300; ++y)
-    for (int x = 0; x < 300; ++x) {
-      const int a = 301 * y + x + 1;
-      for (const int v : {a + 301, a + 302, a + 1, a})
-        text += (v == a + 301 ? "f " : " ") + std::to_string(v);
-      text += "\n";
+// Models as people have them: the program counts their faces, their open, turned and crowded edges, says what
+// it leaves out, and shows at each sample the face that a ray meets first. Samples within 1/50 pixel of an
+// edge are not judged.
+TEST_F(CorpusTest, EachModelIsShownAsItIs) {
+  constexpr int kWidth = 160, kHeight = 120;
+  const glm::dvec3 eye{5, 3, 8}, n = glm::normalize(eye), u = glm::normalize(glm::cross({0, 1, 0}, n)),
+                                 v = glm::cross(n, u);
+  for (const CorpusModel& model : corpusModels()) {
+    SCOPED_TRACE(model.name);
+    glm::dvec3 low{INFINITY}, high{-INFINITY};
+    std::vector<glm::dvec3> points;
+    for (const auto& [x, y, z] : model.shape.points) {
+      points.emplace_back(x, y, z);
+      low = glm::min(low, points.back()), high = glm::max(high, points.back());
     }
-  const Drawn drawn = draw(write("grid.obj", text), {"--size", "300x300", "--eye", "150,-150,9", "--look-at",
-                                                     "150,-150,0", "--parallel", "300"});
-  for (int j = 0; j < 300; ++j)
-    for (int i = 0; i < 300; ++i) ASSERT_EQ(idAt(drawn.ids, i, j), 300 * j + i + 1) << i << ", " << j;
-}
-
-// Options of light and table change the picture but not the face image: they only colour the same faces
-// differently.
-TEST_F(DrawnPicture, LightAndTableRecolour) {
-  const Drawn plain = draw("teapot"), corrected = draw("teapot", {"--table", "corrected"});
-  const auto recolours = [&](const Drawn& before, const Strings& options) {
-    const Drawn after = draw("teapot", options);
-    EXPECT_NE(after.picture.rgb, before.picture.rgb) << options.back();
-    EXPECT_EQ(after.ids.rgb, before.ids.rgb) << options.back();
-    return after;
-  };
-  for (const Strings& options : std::vector<Strings>{{"--ia", "0.1"},
-                                                     {"--ip", "0.3"},
-                                                     {"--ka", "0.3"},
-                                                     {"--kd", "0.3"},
-                                                     {"--ks", "0"},
-                                                     {"--n", "1"},
-                                                     {"--light", "1,-1,0"},
-                                                     {"--light-at", "5,-5,5"},
-                                                     {"--constant-v"},
-                                                     {"--sided", "one"},
-                                                     {"--table", "brief"},
-                                                     {"--table", "corrected"}})
-    recolours(plain, options);
-  recolours(draw("teapot", {"--light-at", "5,-5,5"}), {"--light-at", "5,-5,5", "--constant-l"});
-  for (const Strings& more : std::vector<Strings>{{"--i0", "0.2"}, {"--bits", "8"}})
-    recolours(corrected, Strings{"--table", "corrected"} + more);
-  // The two rules disagree on about 0.2 % of all intensities, so only a large picture shows it.
-  const Strings large{"--table", "corrected", "--size", "800x600", "--pick"};
-  EXPECT_NE(draw("teapot", large + Strings{"log"}).png, draw("teapot", large + Strings{"search"}).png);
-
-  // There is the ground, and one colour where nothing tells the faces apart; N shades give at most N colours.
-  EXPECT_EQ(colorsOf(recolours(plain, {"--shade", "none"}).picture).size(), 2u);
-  EXPECT_TRUE(colorsOf(draw("teapot", {"--shade", "none"}).picture).contains(240 << 16));
-  EXPECT_EQ(colorsOf(recolours(plain, {"--ia", "1"}).picture).size(), 2u);
-  EXPECT_EQ(colorsOf(recolours(plain, {"--shades", "2"}).picture).size(), 3u);
-  EXPECT_LE(colorsOf(recolours(plain, {"--shades", "9"}).picture).size(), 10u);
-  EXPECT_GT(draw("teapot", {"--ip", "1", "--kd", "1", "--ks", "1", "--n", "0"}).stats["saturated"], 0);
-  EXPECT_EQ(draw("teapot", {"--ks", "0"}).stats["saturated"], 0);
-
-  // A green ramp has in green what a red one has in red.
-  const RgbImage green = recolours(plain, {"--hue", "0,1,0"}).picture;
-  for (std::size_t p = 0; p < green.rgb.size(); p += 3)
-    if (idAt(plain.ids, static_cast<int>(p / 3 % 160), static_cast<int>(p / 480)) != 0) {
-      ASSERT_EQ(green.rgb[p + 1], plain.picture.rgb[p]);
+    const glm::dvec3 center = 0.5 * (low + high);
+    const double height = 1.3 * glm::length(high - low), pixel = height / kHeight;
+    const double unit = model.name == "huge.obj" ? 1e300 : model.name == "tiny.obj" ? 1e-300 : 1.0;
+    const auto triple = [&](const glm::dvec3& p) {
+      return number(p.x * unit) + ',' + number(p.y * unit) + ',' + number(p.z * unit);
+    };
+    const std::string name = write(model.name, model.content);
+    const Finished end =
+        runProgram({"draw", name, "-o", file("out.png"), "--ids", file("ids.png"), "--stats", "--size",
+                    "160x120", "--eye=" + triple(center + eye), "--look-at=" + triple(center), "--up",
+                    "0,1,0", "--parallel", number(height * unit)});
+    std::string notes;
+    for (std::string note : model.notes) {
+      if (const auto at = note.find("FOLDER/"); at != note.npos) note.replace(at, 7, file(""));
+      notes += "xnewell: note: " + name + note + "\n";
     }
+    EXPECT_EQ(end.err, notes);
+    ASSERT_EQ(end.status, 0);
+    const Json stats = Json::parse(end.out);
+    EXPECT_EQ(stats["faces"], model.shape.faces.size());
+    EXPECT_EQ(stats["open_edges"], model.open);
+    EXPECT_EQ(stats["turned_edges"], model.turned);
+    EXPECT_EQ(stats["crowded_edges"], model.crowded);
+
+    const RgbImage ids = readPng(file("ids.png"));
+    const bool bent = model.name == "bent.obj";
+    int judged = 0, shown = 0;
+    for (int j = 0; j < kHeight; ++j)
+      for (int i = 0; i < kWidth; ++i) {
+        const auto hitBy = [&](double dx, double dy, const std::vector<std::vector<int>>& faces) {
+          const double x = (i + 0.5 + dx - kWidth / 2.0) * pixel, y = (kHeight / 2.0 - j - 0.5 + dy) * pixel;
+          return firstHit(points, faces, center + eye + x * u + y * v, -n);
+        };
+        const auto faceBy = [&](double dx, double dy, int diagonal) {
+          return bent ? (hitBy(dx, dy, alongDiagonal(model.shape.faces, diagonal)) + 1) / 2
+                      : hitBy(dx, dy, model.shape.faces);
+        };
+        const int face = faceBy(0, 0, 0);
+        bool clear = true;
+        for (const auto& [dx, dy] : {std::pair{0.02, 0.0}, {-0.02, 0.0}, {0.0, 0.02}, {0.0, -0.02}})
+          for (const int diagonal : {0, 1}) clear = clear && faceBy(dx, dy, diagonal) == face;
+        if (!clear) continue;
+        ++judged, shown += face > 0;
+        ASSERT_EQ(idAt(ids, i, j), face) << i << ", " << j;
+      }
+    EXPECT_GT(judged, kWidth * kHeight * 9 / 10);
+    EXPECT_GT(shown, kWidth * kHeight / 20);
+  }
 }
 
-// Options of the camera and of the sort change the faces as they say.
-TEST_F(DrawnPicture, CameraOptionsMean) {
-  const Drawn plain = draw("teapot");
-  for (const Strings& options : std::vector<Strings>{{"--eye", "-1,-9,3"},
-                                                     {"--look-at", "1,0,1"},
-                                                     {"--up", "1,0,1"},
-                                                     {"--fov", "90"},
-                                                     {"--parallel", "3"},
-                                                     {"--oblique", "cavalier"},
-                                                     {"--oblique", "cabinet:30"},
-                                                     {"--vrp", "1,0,1"},
-                                                     {"--vpn", "0,-1,1"},
-                                                     {"--vup", "1,0,1"},
-                                                     {"--prp", "1,1,9"},
-                                                     {"--view-window", "-1,1,-1,1"},
-                                                     {"--front", "0"},
-                                                     {"--back", "0"},
-                                                     {"--divisions", "3"},
-                                                     {"--order", "none"}})
-    EXPECT_NE(draw("teapot", options).ids.rgb, plain.ids.rgb) << options[0];
-  EXPECT_EQ(draw("teapot", {"--divisions", "3"}).stats["faces"], 32 * 9);
-  EXPECT_GT(draw("teapot", {"--cull", "back"}).stats["culled"], 500);
-  EXPECT_EQ(draw("teapot", {"--size", "31x17"}).ids.width, 31);
-
-  // A view half as tall shows four times the area; a wider field of view from the same place shows things
-  // smaller.
-  const int one = covered(draw("teapot", {"--parallel", "20"}).ids),
-            four = covered(draw("teapot", {"--parallel", "10"}).ids);
-  EXPECT_NEAR(four, 4 * one, 0.1 * four);
-  const Strings eye{"--eye", "0,-20,0"};
-  EXPECT_GT(covered(draw("teapot", eye + Strings{"--fov", "30"}).ids),
-            2 * covered(draw("teapot", eye + Strings{"--fov", "60"}).ids));
-
-  // Of two squares the nearer one shows, from either side; unsorted, the later one in the file shows.
-  const std::string squares =
-      write("squares.obj",
-            "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 1 2 3 4\nf 5 6 7 8\n");
-  const Strings back{"--eye", "0.5,0.5,-9", "--look-at", "0.5,0.5,0", "--parallel", "2"};
-  const auto seen = [&](const Strings& options) { return idAt(draw(squares, options).ids, 80, 60); };
-  EXPECT_EQ(seen({"--eye", "0.5,0.5,9", "--look-at", "0.5,0.5,0", "--parallel", "2"}), 2);
-  for (const char* order : {"zsort", "zmean"}) EXPECT_EQ(seen(back + Strings{"--order", order}), 1);
-  EXPECT_EQ(seen(back + Strings{"--order", "none"}), 2);
-  EXPECT_EQ(seen(back + Strings{"--cull", "back"}), 0);
-  EXPECT_EQ(seen(back + Strings{"--front", "-0.5"}),
-            2);  // n runs towards the eye: face 0 at n = 0 is cut away
-  EXPECT_EQ(seen(back + Strings{"--front", "0.5", "--back", "-0.5"}), 1);
+// One cube in eleven spellings is one picture, to the byte, in the program's own view of it.
+TEST_F(CorpusTest, OneCubeIsOnePicture) {
+  std::string first;
+  int cubes = 0;
+  for (const CorpusModel& model : corpusModels()) {
+    if (model.open + model.turned > 0 || model.shape.points.size() != 8) continue;
+    const Finished end = runProgram(
+        {"draw", write(model.name, model.content), "-o", file("out.png"), "--bare", "--size", "160x120"});
+    ASSERT_EQ(end.status, 0) << end.err;
+    if (first.empty()) first = contents(file("out.png"));
+    EXPECT_TRUE(contents(file("out.png")) == first) << model.name;
+    ++cubes;
+  }
+  EXPECT_EQ(cubes, 11);
 }
 
-// Awkward scenes are drawn: scenes of any size, far from the origin, single points, faces without area.
-TEST_F(DrawnPicture, AwkwardScenes) {
-  const auto triangle = [&](const std::string& zero, const std::string& one) {
-    return write("t.obj", "v " + zero + " " + zero + " 0\nv " + one + " " + zero + " 0\nv " + zero + " " +
-                              one + " 0\nf 1 2 3\n");
+// A million faces: all are counted, the border is found, and each sampled face is the one that lies there.
+TEST_F(CorpusTest, AMillionFaces) {
+  constexpr int n = 1000;
+  const Drawn drawn =
+      draw(write("hill.obj", hillObj(n)), {"--eye", "500,500,9000", "--look-at", "500,500,0", "--up", "0,1,0",
+                                           "--parallel", "1000", "--size", "200x200"});
+  EXPECT_EQ(drawn.stats["faces"], n * n);
+  EXPECT_EQ(drawn.stats["open_edges"], 4 * n);
+  EXPECT_EQ(drawn.stats["turned_edges"], 0);
+  // Five faces for each pixel: its centre lies in the third one.
+  for (int j = 0; j < 200; ++j)
+    for (int i = 0; i < 200; ++i)
+      ASSERT_EQ(idAt(drawn.ids, i, j), n * (n - 1 - (5 * j + 2)) + 5 * i + 3) << i << ", " << j;
+}
+
+// The code for newer processors and the code for any processor give the same picture, bit for bit.
+TEST_F(Baseline, GivesTheSameBits) {
+#if defined(__x86_64__)
+  if (!__builtin_cpu_supports("avx2")) GTEST_SKIP() << "both programs run the same code here";
+#endif
+  const std::string program = builtProgram(), baseline = builtProgram("tests/xnewell_baseline");
+  if (kSanitized) GTEST_SKIP() << "a sanitized build has only the latter";
+  const auto drawn = [&](const std::string& by, const std::string& line) {
+    RunningProgram child{by, Strings{"draw", "-o", file("drawn.png")} + words(line), ""};
+    const Finished end = child.wait();
+    EXPECT_EQ(end.status, 0) << line << ": " << end.err;
+    return end.err + contents(file("drawn.png"));
   };
-  const int area = covered(draw(triangle("0", "1")).ids);
-  EXPECT_GT(area, 1000);
-  for (const std::string one : {"1e-300", "1e300", "5e-324", "1.7e308", "1e-12"})
-    EXPECT_EQ(covered(draw(triangle("0", one)).ids), area) << one;
-  // A place far away costs digits: at 1e12 a unit is 8192 rounding steps, at 1e15 only eight.
-  EXPECT_NEAR(covered(draw(triangle("1000000000000", "1000000000001")).ids), area, 0.01 * area);
-  EXPECT_GT(covered(draw(triangle("1000000000000000", "1000000000000001")).ids), area / 2);
-
-  const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  const Drawn plain = draw(write("t.obj", three + "f 1 2 3\n"));
-  EXPECT_EQ(draw(write("t.obj", three + "v 1e300 -1e300 1e300\nv 9 9 9\nf 1 2 3\n")).png, plain.png);
-  EXPECT_EQ(draw(write("t.obj", "v 9 9 9\n" + three + "f 2 3 4\n")).png, plain.png);
-
-  for (const std::string points : {"v 0 0 0\nv 0 0 0\nv 0 0 0\n", "v 1 2 3\nv 1 2 3\nv 1 2 3\n"}) {
-    const Drawn nothing = draw(write("t.obj", points + "f 1 2 3\nf 1 1 1\n"));
-    EXPECT_EQ(covered(nothing.ids), 0);
-    EXPECT_EQ(colorsOf(nothing.picture).size(), 1u);
-  }
-  const Drawn flat = draw(write("t.obj", three + "v 1 1 0\nf 1 1 2\nf 1 2 3\nf 2 2 2\nf 3 2 3\n"));
-  EXPECT_EQ(flat.stats["degenerate"], 3);
-  EXPECT_EQ(flat.stats["fragments"], 1);
-  EXPECT_EQ(idCounts(flat.ids).size(), 2u);
-  EXPECT_TRUE(idCounts(flat.ids).contains(2));
-}
-
-// An awkward camera gives a picture or a message of one line, but never NaN or a crash.
-TEST_F(DrawnPicture, AwkwardCameras) {
-  for (const Strings& camera : std::vector<Strings>{{"--eye", "0,0,1"},
-                                                    {"--eye", "0.1,0.1,1.5"},
-                                                    {"--eye", "1e12,1e12,1e12"},
-                                                    {"--eye", "1e300,0,0"},
-                                                    {"--eye", "1.7e308,-1.7e308,1.7e308"},
-                                                    {"--eye", "1e-300,0,0", "--look-at", "0,0,0"},
-                                                    {"--fov", "0.001"},
-                                                    {"--fov", "179.9"},
-                                                    {"--fov", "1e-300"},
-                                                    {"--parallel", "1e-300"},
-                                                    {"--parallel", "1e300"},
-                                                    {"--eye", "0,0,9", "--look-at", "0,0,0"},
-                                                    {"--light-at", "0,0,0"},
-                                                    {"--light", "1e-320,0,0"},
-                                                    {"--light", "1e308,1e308,1e308"},
-                                                    {"--up", "1e308,0,1e308"},
-                                                    {"--front", "1e-300", "--back", "-1e-300"},
-                                                    {"--size", "1x1"},
-                                                    {"--size", "8192x1"},
-                                                    {"--size", "1x8192"},
-                                                    {"--n", "1000000"},
-                                                    {"--n", "0"}}) {
-    const Finished end = runProgram(Strings{"draw", "teapot", "-o", file("a.png"), "--stats"} + camera);
-    EXPECT_EQ(end.status, 0) << camera[0] << ' ' << camera[1] << ": " << end.err;
-    std::filesystem::remove(file("a.png"));
-  }
-  // Framing keeps the scene the same size for every field of view.
-  for (const char* fov : {"0.001", "1", "30"})
-    EXPECT_GT(covered(draw("teapot", {"--fov", fov}).ids), 4000) << fov;
-  EXPECT_EQ(covered(draw("teapot", {"--eye", "1e12,1e12,1e12"}).ids), 0);
-}
-
-// A face of a million corners is one face, and so is a comb of ten thousand needles. (The boxes of all
-// needles overlap, which costs n^2 comparisons of boxes.)
-TEST_F(DrawnPicture, FacesOfManyCorners) {
-  const int kCorners = kSanitized ? 100'000 : 1'000'000;
-  std::string disc, corners, comb;
-  for (int c = 0; c < kCorners; ++c) {
-    const double a = 2 * 3.14159265358979 * c / kCorners;
-    disc += "v " + number(std::cos(a)) + " " + number(std::sin(a)) + " 0\n";
-  }
-  for (int c = 1; c <= kCorners; ++c) corners += " " + std::to_string(c);
-  const Strings view{"--eye", "0,0,9", "--look-at", "0,0,0", "--parallel", "4"};
-  const RgbImage ids = draw(write("disc.obj", disc + "f" + corners + "\n"), view).ids;
-  EXPECT_NEAR(covered(ids), 3.14159265358979 * 30 * 30,
-              2 * 3.14159265358979 * 30);  // half a pixel to each side of the rim
-  EXPECT_EQ(idCounts(ids).size(), 2u);
-
-  const int kTeeth = kSanitized ? 1'000 : 5'000;
-  for (int c = 0; c < kTeeth; ++c)
-    comb += "v " + std::to_string(2 * c) + " 1 0\nv " + std::to_string(2 * c + 1) + " 9000 0\n";
-  comb += "v 10000 0 0\nv 0 0 0\nf";
-  for (int c = 2 * kTeeth + 2; c > 0; --c) comb += " " + std::to_string(c);
-  const Drawn drawn = draw(write("comb.obj", comb + "\n"));
-  EXPECT_EQ(drawn.stats["faces"], 1);
-  EXPECT_EQ(drawn.stats["polygons"], 2 * kTeeth);
-  EXPECT_GT(covered(drawn.ids), 1000);
+  int pictures = 0;
+  for (const std::string scene : {"teapot", "saturated", "highlight", "colored-lights", "spotlight", "hues"})
+    for (const std::string method : {"flat", "gouraud", "phong", "phong --constant-v", "envmap"}) {
+      const std::string line = scene + " --size 320x240 --shade " + method;
+      EXPECT_EQ(drawn(program, line), drawn(baseline, line)) << line;
+      ++pictures;
+    }
+  EXPECT_EQ(pictures, 30);
 }
 
 }  // namespace xnewell::THIS_FILE

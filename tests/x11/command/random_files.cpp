@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <chrono>
+#include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -12,15 +15,17 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <time.h>
 #include <unistd.h>
 
 #include "shading/color/png.h"
-#include "tests/x11/support/changed_numbers.h"
+#include "shading/scene/settings.h"
 #include "tests/x11/support/program.h"
-#include "tests/x11/support/random_words.h"
 #include "tests/x11/support/x_server.h"
+#include "x11/views/views.h"
 
 namespace xnewell {
 
@@ -33,6 +38,323 @@ namespace xnewell {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// ---- Numbers that are changed.
+
+/// A whole number from 0 to n - 1.
+int below(int n, std::mt19937& rng) { return static_cast<int>(rng() % static_cast<unsigned>(n)); }
+
+struct Place {
+  std::size_t first, count;
+};
+
+/// Where the text has numbers. Digits in names, as in "box 1", count too.
+std::vector<Place> numbersIn(const std::string& text) {
+  const auto isIn = [&](std::size_t k, std::string_view set) {
+    return k < text.size() && set.find(text[k]) != std::string_view::npos;
+  };
+  std::vector<Place> places;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (!isIn(k, "-.0123456789")) continue;
+    std::size_t end = k;
+    bool digits = false;
+    while (isIn(end, "-+.0123456789") || (digits && isIn(end, "eE") && isIn(end + 1, "-+0123456789"))) {
+      digits |= std::isdigit(static_cast<unsigned char>(text[end])) != 0;
+      ++end;
+    }
+    if (digits) places.push_back({k, end - k});
+    k = end;
+  }
+  return places;
+}
+
+std::string exactly(double v) {
+  std::array<char, 40> text;
+  std::snprintf(text.data(), text.size(), "%.17g", v);
+  return text.data();
+}
+
+template <std::size_t N>
+std::string oneOf(const std::array<const char*, N>& all, std::mt19937& rng) {
+  return all[rng() % N];
+}
+
+/// `v` and something that is little beside it, or beside 1.
+std::string nearly(double v, std::mt19937& rng) {
+  switch (below(4, rng)) {
+    case 0:
+      return exactly(std::nextafter(v, below(2, rng) == 0 ? 1e300 : -1e300));
+    case 1:
+      return exactly(v * (1 + std::pow(10.0, -below(16, rng))));
+    case 2:
+      return exactly(v + std::pow(10.0, -below(30, rng)));
+    default:
+      return exactly(v);
+  }
+}
+
+/// A number as withChangedNumbers() puts in, by itself.
+std::string oddNumber(std::mt19937& rng) {
+  static constexpr std::array kZeros{"0", "-0", "0.0", "1e-400"};
+  static constexpr std::array kNone{"nan", "inf",  "-inf", "NaN", "1e999", "-1e999",
+                                    "",    "0x10", "1e",   "--1", "1.2.3"};
+  static constexpr std::array kWhole{
+      "2147483647", "2147483648", "-2147483648",         "4294967295",           "4294967296",
+      "16777217",   "65536",      "9223372036854775807", "-9223372036854775809", "18446744073709551616"};
+  static constexpr std::array kSmall{"-1", "1", "2", "3", "0.5", "7", "90", "180", "360", "255", "256"};
+  const int what = below(100, rng);
+  if (what < 15) return oneOf(kZeros, rng);
+  if (what < 25) return oneOf(kNone, rng);
+  if (what < 33) return oneOf(kWhole, rng);
+  if (what < 45) return oneOf(kSmall, rng);
+  const int most = what < 70 ? 20 : what < 85 ? 40 : 323;
+  const int power = below(2 * most + 1, rng) - most;
+  const std::string sign = below(3, rng) == 0 ? "-" : "",
+                    digits = below(2, rng) == 0 ? "1" : exactly(1 + below(9000, rng) / 1000.0);
+  return sign + digits + "e" + std::to_string(std::min(power, 308));
+}
+
+/// The text with a few of its numbers changed: to very large and very small ones, zeros, the negative, what
+/// is no number, integers at the end of their range, and almost the same as itself or as another number of
+/// the text. Sometimes a line is there twice.
+std::string withChangedNumbers(const std::string& text, std::mt19937& rng) {
+  std::string changed = text;
+  static constexpr std::array kCounts{1, 1, 1, 2, 2, 3, 5, 12};
+  for (int k = kCounts[rng() % kCounts.size()]; k > 0; --k) {
+    const std::vector<Place> places = numbersIn(changed);
+    if (places.empty()) return changed;
+    const std::size_t which = rng() % places.size();
+    const auto textOf = [&](std::size_t place) {
+      return changed.substr(places[place].first, places[place].count);
+    };
+    const auto valueOf = [&](std::size_t place) { return std::atof(textOf(place).c_str()); };
+    std::string number;
+    switch (below(10, rng)) {
+      case 0:
+        number = nearly(valueOf(which), rng);
+        break;
+      case 1:
+        number = nearly(valueOf(rng() % places.size()), rng);
+        break;
+      case 2:
+        number = nearly(valueOf(which >= 3 ? which - 3 : 0), rng);
+        break;  // the same axis of the last point
+      case 3:
+        number = exactly(-valueOf(which));
+        break;
+      case 4: {  // the line twice
+        const std::size_t at = places[which].first;
+        const std::size_t first = changed.rfind('\n', at) + 1,
+                          end = std::min(changed.find('\n', at), changed.size() - 1) + 1;
+        changed.insert(first, changed.substr(first, end - first));
+        continue;
+      }
+      default:
+        number = oddNumber(rng);
+    }
+    changed.replace(places[which].first, places[which].count, number);
+  }
+  return changed;
+}
+
+/// ---- Random command lines.
+
+/// A random command line, and what it promises.
+struct RandomWords {
+  std::vector<std::string> words;
+  std::vector<std::string> writes = {};  ///< the files that it writes into its folder, besides frames
+  bool printsJson = false;               ///< one JSON value
+  bool printsLines = false;              ///< one JSON value a line
+};
+
+/// The name of the folder that frames go to, in the folder of all files that are written.
+inline constexpr const char* kFrames = "frames";
+
+class Maker {
+ public:
+  Maker(std::string folder, std::mt19937& rng) : folder_{std::move(folder)}, rng_{rng} {}
+
+  RandomWords make(const std::string& scene, bool server) {
+    const int what = below(100, rng_);
+    if (what < 40)
+      picture("draw", scene);
+    else if (what < 50 && server)
+      picture("snapshot", scene);
+    else if (what < 60)
+      view(server && oneIn(3) ? "snapshot" : "draw", scene);
+    else if (what < 66)
+      explain(scene);
+    else if (what < 75)
+      trace(scene);
+    else if (what < 90)
+      extremes(scene);
+    else
+      trade(scene);
+    return std::move(made_);
+  }
+
+ private:
+  bool oneIn(int n) { return below(n, rng_) == 0; }
+  void add(const std::vector<std::string>& words) {
+    made_.words.insert(made_.words.end(), words.begin(), words.end());
+  }
+  void writes(const std::string& option, const std::string& name) {
+    add({option, folder_ + "/" + name});
+    made_.writes.push_back(name);
+  }
+
+  /// A size of at most so many pixels a side.
+  void size(int most) {
+    const auto side = [&] { return std::to_string(1 + below(oneIn(4) ? 8 : most, rng_)); };
+    const std::string width = side();
+    add({"--size", width + "x" + side()});
+  }
+  std::string number(double low, double high) {
+    if (oneIn(6)) return oddNumber(rng_);
+    std::array<char, 40> text;
+    std::snprintf(text.data(), text.size(), "%.6g", std::uniform_real_distribution{low, high}(rng_));
+    return text.data();
+  }
+  std::string numbers(int count, double low, double high) {
+    std::string all;
+    for (int k = 0; k < count; ++k) all += (k > 0 ? "," : "") + number(low, high);
+    return all;
+  }
+
+  void setting() {
+    const std::vector<Setting>& rows = settingRows();
+    const Setting& row = rows[rng_() % rows.size()];
+    // One option twice is refused, and so is the server's filler in most commands.
+    if (row.option.empty() || row.option == "--fill" ||
+        std::ranges::find(made_.words, row.option) != made_.words.end())
+      return;
+    add({std::string{row.option}});
+    const double low = std::max(row.range.low, -10.0), high = std::min(row.range.high, 250.0);
+    switch (row.field.kind) {
+      case ValueKind::Flag:
+        break;
+      case ValueKind::Choice:
+        add({std::string{row.field.choices[rng_() % row.field.choices.size()].name}});
+        break;
+      case ValueKind::Number:
+        add({number(low, high)});
+        break;
+      case ValueKind::Whole:
+        add({oneIn(8) ? oddNumber(rng_)
+                      : std::to_string(std::lround(low + (high - low) * below(1000, rng_) / 999))});
+        break;
+      case ValueKind::Triple:
+        add({numbers(3, std::max(low, -3.0), std::min(high, 3.0))});
+        break;
+    }
+  }
+  void camera() {
+    switch (below(8, rng_)) {
+      case 0:
+        return add({"--eye", numbers(3, -8, 8)});
+      case 1:
+        return add(
+            {"--eye", numbers(3, -3, 3), "--look-at", numbers(3, -2, 2), "--fov", number(0.001, 179.999)});
+      case 2:
+        return add({"--fov", number(1e-9, 180)});
+      case 3:
+        return add({"--parallel", number(0, 12), "--up", numbers(3, -1, 1)});
+      case 4:
+        return add({"--parallel", number(0, 12), "--oblique", "cavalier:" + number(0, 360)});
+      case 5:
+        return add({"--vrp", numbers(3, -2, 2), "--vpn", numbers(3, -1, 1), "--vup", numbers(3, -1, 1),
+                    "--prp", numbers(3, -9, 9)});
+      case 6:
+        return add({"--view-window", numbers(4, -4, 4)});
+      default:
+        return add({"--front", number(-9, 9), "--back", number(-30, 0)});
+    }
+  }
+  void options(int most) {
+    for (int k = below(most + 1, rng_); k > 0; --k) setting();
+    if (oneIn(3)) camera();
+    if (oneIn(4)) add({"--divisions", std::to_string(1 + below(12, rng_))});
+    if (oneIn(12)) add({"--max-fragments", std::to_string(1 + below(3000, rng_))});
+  }
+
+  void picture(const std::string& command, const std::string& scene) {
+    add({command, scene});
+    writes("-o", "picture.png");
+    if (oneIn(2)) writes("--ids", "ids.png");
+    size(60);
+    const int told = below(8, rng_);
+    if (told < 3) add({"--stats"});
+    if (told >= 3 && told < 7) add({"--errors"});
+    made_.printsJson = told < 7;
+    if (command == "draw" && oneIn(10))
+      add({"--accuracy", oneIn(2) ? "0.05" : number(0, 1), "--budget", "1"});
+    options(4);
+  }
+  void view(const std::string& command, const std::string& scene) {
+    add({command, scene});
+    writes("-o", "view.png");
+    std::size_t any = 0;
+    while (any == 0 || !kViews[any].hasSheet()) any = rng_() % kViews.size();
+    const ViewRow& row = kViews[any];
+    add({"--view", std::string{row.name}, "--size",
+         std::to_string(row.least.x) + "x" + std::to_string(row.least.y)});
+    if (row.id == View::MachBands && oneIn(2)) add({"--scanline", std::to_string(below(300, rng_))});
+    if (row.id == View::Colors && oneIn(2)) add({"--cell", std::to_string(below(256, rng_))});
+    options(2);
+  }
+  void trace(const std::string& scene) {
+    add({"trace", scene});
+    const bool frames = oneIn(5);
+    if (frames) add({"--frames", folder_ + "/" + kFrames});
+    if (frames && oneIn(4))
+      add({"--whole-window", "--size", "800x600"});
+    else
+      size(60);
+    if (!frames && oneIn(2)) add({"--quick"});
+    made_.printsLines = !frames;
+    options(2);
+  }
+  void explain(const std::string& scene) {
+    add({"explain", scene, std::to_string(below(60, rng_)) + "," + std::to_string(below(60, rng_))});
+    add({"--size", "60x60"});
+    made_.printsJson = oneIn(2);
+    if (made_.printsJson) add({"--json"});
+    options(3);
+  }
+  void extremes(const std::string& scene) {
+    add({"extremes", scene});
+    if (oneIn(2)) writes("-o", "chart.png");
+    made_.printsJson = oneIn(2);
+    if (made_.printsJson) add({"--json"});
+    size(16);
+    options(2);
+  }
+  void trade(const std::string& scene) {
+    add({"trade", scene, "--budget", "1"});
+    if (oneIn(2)) writes("-o", "chart.png");
+    made_.printsJson = oneIn(2);
+    if (made_.printsJson) add({"--json"});
+    if (oneIn(2)) add({"--axes", oneIn(2) ? "shade,order" : "divisions"});
+    size(32);
+    options(2);
+  }
+
+  std::string folder_;
+  std::mt19937& rng_;
+  RandomWords made_;
+};
+
+/// A command for a scene, at a small size, with random options: most values are valid. It writes into the
+/// folder only. `server`: also commands that need an X server.
+RandomWords randomWords(const std::string& scene, const std::string& folder, bool server, std::mt19937& rng) {
+  return Maker{folder, rng}.make(scene, server);
+}
+
+RandomWords wordsForLesson(const std::string& lesson, const std::string& folder) {
+  return {.words = {"lesson", lesson, "--size", "800x600", "--frames", folder + "/" + kFrames}};
+}
+
+/// ---- Runs.
 
 #ifdef __SANITIZE_ADDRESS__
 constexpr double kMostSeconds = 240, kMostMegabytes = 6'000;

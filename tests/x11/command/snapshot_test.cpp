@@ -2,98 +2,84 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
+#include <map>
 #include <random>
 #include <set>
+#include <stdexcept>
+
+#include "tests/support/seeds.h"
+#include "tests/x11/support/watched_viewer.h"
+
+#include <X11/XWDFile.h>
 
 #include "x11/window/panel.h"
 
-#include "tests/support/seeds.h"
-#include "tests/x11/support/program_picture.h"
-#include "tests/x11/support/watched_window.h"
-#include "tests/x11/support/x_server.h"
-
 namespace xnewell::THIS_FILE {
+
+// Pictures that a server fills, the window as an independent client, xwd, sees it, and what is sent. That
+// snapshots are the files that `draw` writes: tests/stories/snapshots.txt.
 
 namespace {
 
-/// The three tables, hues, orders, projections, sizes up to more than the screen (640 x 480), and scenes.
-constexpr std::array kPictures{
-    "teapot --divisions 8",
-    "teapot --divisions 4 --table brief --hue 1,1,1 --order zmean --parallel 6",
-    "teapot --divisions 4 --table corrected --hue 0.3,0.5,1 --order none",
-    "teapot --divisions 3 --table corrected --i0 0.001 --shades 64 --pick search --size 1023x777",
-    "teapot --divisions 3 --table corrected --bits 8 --hue 0,1,0 --size 333x250 --cull back",
-    "teapot --divisions 3 --table brief --shades 2 --size 1x1",
-    "teapot --divisions 3 --size 1300x900 --fov 12 --ia 0 --ip 1 --ks 1 --n 200",
-    "teapot --divisions 5 --oblique cabinet:30 --size 401x203 --shade none",
-    "teapot --divisions 5 --oblique cavalier --size 64x300 --order zmean --table linear --hue 1,0.7,0",
-    "cycle --table corrected --size 255x257",
-    "penetrate --table brief --parallel 5 --size 100x700",
-    "nested-cycles --size 301x299",
-};
+/// A number in the file. All numbers but the pixels have their most significant byte first.
+std::uint32_t numberAt(const std::string& file, std::size_t at, int bytes, bool lowFirst = false) {
+  std::uint32_t n = 0;
+  for (int i = 0; i < bytes; ++i)
+    n = n << 8 | static_cast<unsigned char>(file.at(at + (lowFirst ? bytes - 1 - i : i)));
+  return n;
+}
+
+/// A screenshot as xwd writes it: header, the window's name, the entries of the colormap, rows of pixels.
+/// @see X11/XWDFile.h
+RgbImage readXwd(const std::string& file) {
+  const auto field = [&](std::size_t at) { return numberAt(file, at, 4); };
+  if (field(offsetof(XWDFileHeader, file_version)) != XWD_FILE_VERSION)
+    throw std::runtime_error("no screenshot");
+  const auto kind = field(offsetof(XWDFileHeader, visual_class));
+  const bool channels =
+      kind == 4 || kind == 5;  // TrueColor, DirectColor: one entry for each value of a channel
+  std::array<std::uint32_t, 3> masks{field(offsetof(XWDFileHeader, red_mask)),
+                                     field(offsetof(XWDFileHeader, green_mask)),
+                                     field(offsetof(XWDFileHeader, blue_mask))};
+  if (!channels) masks.fill(~0u);
+
+  const std::size_t entries = field(offsetof(XWDFileHeader, header_size));
+  const std::uint32_t count = field(offsetof(XWDFileHeader, ncolors));
+  std::array<std::map<std::uint32_t, std::uint8_t>, 3> shown;  // by the bits of the channel
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::size_t entry = entries + i * std::size_t{sz_XWDColor};
+    const std::uint32_t pixel = numberAt(file, entry, 4);
+    for (int c = 0; c < 3; ++c)
+      shown[c][pixel & masks[c]] = static_cast<std::uint8_t>(numberAt(file, entry + 4 + 2 * c, 2) >> 8);
+  }
+
+  RgbImage image{static_cast<int>(field(offsetof(XWDFileHeader, pixmap_width))),
+                 static_cast<int>(field(offsetof(XWDFileHeader, pixmap_height)))};
+  const std::uint32_t rowBytes = field(offsetof(XWDFileHeader, bytes_per_line));
+  const int bytes = static_cast<int>(field(offsetof(XWDFileHeader, bits_per_pixel))) / 8;
+  const bool lowFirst = field(offsetof(XWDFileHeader, byte_order)) == 0;
+  const std::size_t rows = entries + count * std::size_t{sz_XWDColor};
+  std::uint8_t* out = image.rgb.data();
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const std::uint32_t pixel =
+          numberAt(file, rows + y * std::size_t{rowBytes} + x * std::size_t(bytes), bytes, lowFirst);
+      for (int c = 0; c < 3; ++c) *out++ = shown[c].at(pixel & masks[c]);
+    }
+  return image;
+}
+
+RgbImage screenshot(const XServer& server, const std::string& options) {
+  const Finished done = RunningProgram{"xwd", words("-silent " + options), server.name()}.wait();
+  EXPECT_EQ(done.status, 0) << "the tests need the program xwd. " << done.err;
+  EXPECT_EQ(done.err, "");
+  return readXwd(done.out);
+}
 
 }  // namespace
-
-// A picture is the same to the last bit whether it is drawn without a server, through the real colormap of an
-// 8-bit server, or emulated at depth 24. What the server fills is the same on both servers.
-TEST(Snapshot, EqualsDrawOnEveryKindOfServer) {
-  const XServer eight = XServer::xvfb(8), deep = XServer::xvfb(24);
-  for (const std::string line : someOf(kPictures, 3)) {
-    SCOPED_TRACE(line);
-    const RgbImage drawn = pictureOf("draw " + line);
-    EXPECT_EQ(pictureOf("snapshot --visual PseudoColor8 " + line, eight.name()), drawn);
-    EXPECT_EQ(pictureOf("snapshot --visual TrueColor24 " + line, deep.name()), drawn);
-    const RgbImage filled = pictureOf("snapshot --fill x11 " + line, eight.name());
-    EXPECT_EQ(pictureOf("snapshot --fill x11 " + line, deep.name()), filled);
-    EXPECT_EQ(filled.width, drawn.width);
-    if (drawn.width < 100) continue;
-    // The server does paint. It snaps corners to pixels, so only outlines may differ.
-    int differ = 0, painted = 0;
-    for (std::size_t i = 0; i < drawn.rgb.size(); i += 3) {
-      differ += !std::equal(&drawn.rgb[i], &drawn.rgb[i] + 3, &filled.rgb[i]);
-      painted += !std::equal(&drawn.rgb[i], &drawn.rgb[i] + 3, &drawn.rgb[0]);
-    }
-    EXPECT_GT(painted, 1000);
-    EXPECT_LT(differ, painted / 2);
-  }
-}
-
-// A view of the numbers behind a picture is the same too, with the tool's own colours in cells where each
-// server has them.
-TEST(Snapshot, ViewsEqualDrawnOnesOnEveryKindOfServer) {
-  const XServer eight = XServer::xvfb(8), deep = XServer::xvfb(24);
-  const XServer host = XServer::xvfb(24, 1400, 1000);
-  const XServer nested = XServer::xephyr(host, 8, 320, 240);
-  for (const std::string line :
-       {"teapot --divisions 3 --shade gouraud --view machbands --scanline 100 --table brief",
-        "penetrate --view normals --shade phong --size 640x400", "cycle --view difference --order none"}) {
-    SCOPED_TRACE(line);
-    const RgbImage drawn = pictureOf("draw " + line);
-    EXPECT_GT(drawn.width, 600);
-    EXPECT_EQ(pictureOf("snapshot --visual PseudoColor8 " + line, eight.name()), drawn);
-    EXPECT_EQ(pictureOf("snapshot --visual TrueColor24 " + line, deep.name()), drawn);
-    EXPECT_EQ(pictureOf("snapshot " + line, nested.name()), drawn);
-  }
-}
-
-// The picture is the same in a nested server, whose black is cell 1 and white cell 0: the program puts black
-// and white where the server has them.
-TEST(Snapshot, EqualsDrawWhereBlackIsOneAndWhiteZero) {
-  const XServer host = XServer::xvfb(24, 1400, 1000);
-  const XServer nested = XServer::xephyr(host, 8, 320, 240);
-  {
-    const OwnedDisplay display = openDisplay(nested.name());
-    ASSERT_EQ(BlackPixel(display.get(), 0), 1u);
-    ASSERT_EQ(WhitePixel(display.get(), 0), 0u);
-  }
-  for (const std::string line : {kPictures[1], kPictures[2], kPictures[3], kPictures[9]}) {
-    SCOPED_TRACE(line);
-    EXPECT_EQ(pictureOf("snapshot " + line, nested.name()), pictureOf("draw " + line));
-  }
-}
 
 // When polygons are split, no background shows between the pieces: the server paints the same
 // pixels as for whole polygons in any other order.
@@ -200,89 +186,67 @@ TEST(Snapshot, WholeWindowIsTheSameAtBothDepths) {
   }
 }
 
-// A place that the view does not have is refused in one line, and no picture is written: a window would move
-// it without a word.
-TEST(Snapshot, RefusesOtherPlaces) {
-  const XServer server = XServer::xvfb(24);
+// What the server filled is read back as cells too. On a real colormap, shades that look the same are told
+// apart: inside the outlines each sample has the cell that our own filler gives it. Decoded, the file is the
+// picture that the other server shows.
+TEST(ReadCells, TellEqualColorsApart) {
+  const XServer eight = XServer::xvfb(8), deep = XServer::xvfb(24);
   const TemporaryFolder folder;
-  const std::string file = folder.file("picture.png");
-  for (const auto& [place, why] :
-       {std::pair{"pixel --pixel 900,900", "pixel 900,900 lies outside the picture of 654x436"},
-        {"viewing --step 9", "--step 9 is not in --view viewing: the nearest is 7"},
-        {"viewing --viewing 99999", "--viewing: the scene has no vertex 99999: it has "},
-        {"scanline --scanline 99999", "--scanline: the picture of teapot has no face 99999"},
-        {"scanline --step 99999", "--step 99999 is not in --view scanline: the nearest is "}}) {
-    SCOPED_TRACE(place);
-    std::vector<std::string> line =
-        words("snapshot teapot --divisions 3 --whole-window --size 1024x768 --view " + std::string{place});
-    line.insert(line.end(), {"-o", file});
-    const Finished done = runProgram(line, server.name());
-    EXPECT_EQ(done.status, 2);
-    EXPECT_TRUE(done.err.starts_with("xnewell: " + std::string{why})) << done.err;
-    EXPECT_EQ(std::ranges::count(done.err, '\n'), 1) << done.err;
-    EXPECT_FALSE(std::filesystem::exists(file));
-  }
-}
-
-// A trade has no server, so it computes what a first picture sends. A snapshot measures the same: on an 8-bit
-// server without shared memory, with a colormap of its own.
-TEST(Snapshot, SendsWhatATradeComputes) {
-  const XServer server = XServer::xvfb(8, 1024, 768, {"-extension", "MIT-SHM"});
-  for (const char* line :
-       someOf({"cycle --size 800x600", "teapot --size 162x120", "teapot --size 162x120 --shades 8"}, 1)) {
-    SCOPED_TRACE(line);
-    const TemporaryFolder folder;
-    const auto told = [&](const std::string& command, const std::vector<std::string>& more) {
-      std::vector<std::string> all = words(command + ' ' + line);
-      all.insert(all.end(), more.begin(), more.end());
-      const Finished done = runProgram(all, server.name());
-      EXPECT_EQ(done.status, 0) << done.err;
-      return nlohmann::json::parse(done.out);
-    };
-    const auto sent = told("snapshot", {"--stats", "-o", folder.file("picture.png")}).at("sent");
-    const auto computed =
-        told("trade", {"--json", "--axes", "bits", "--budget", "1"}).at("as_it_is").at("x_server");
-    EXPECT_EQ(computed.at("requests"), sent.at("requests"));
-    EXPECT_EQ(computed.at("bytes"), sent.at("bytes"));
-  }
-}
-
-// --stats of a snapshot has what the server got. The pixels are among the bytes if they go through the
-// connection, and not if they go through shared memory. A server that fills polygons gets more requests.
-TEST(Snapshot, SaysWhatItSent) {
-  struct Case {
-    int depth;
-    std::vector<std::string> server;
-    std::int64_t bytesPerPixel;
-    bool shared;
+  const std::string line = "teapot --divisions 8 --table corrected --bits 8 --ia 0.02 --ip 0.15";
+  const auto made = [&](const std::string& name, const std::string& command, const std::string& display) {
+    const Finished done = runProgram(words(command + line + " -o " + folder.file(name)), display);
+    EXPECT_EQ(done.status, 0) << done.err;
+    return folder.file(name);
   };
-  for (const Case& c : {Case{24, {}, 4, true}, Case{24, {"-extension", "MIT-SHM"}, 4, false},
-                        Case{8, {}, 1, true}, Case{8, {"-extension", "MIT-SHM"}, 1, false}}) {
-    const XServer server = XServer::xvfb(c.depth, 640, 480, c.server);
-    const auto sent = [&](const std::string& more) {
-      const TemporaryFolder folder;
-      std::vector<std::string> line = words("snapshot teapot --divisions 3 --size 162x120 --stats" + more);
-      line.insert(line.end(), {"-o", folder.file("picture.png")});
-      const Finished done = runProgram(line, server.name());
-      EXPECT_EQ(done.status, 0) << done.err;
-      return nlohmann::json::parse(done.out).at("sent");
-    };
-    const nlohmann::json painted = sent(""), filled = sent(" --fill x11");
-    SCOPED_TRACE(painted.dump() + filled.dump());
-    const std::int64_t row = (162 * c.bytesPerPixel + 3) / 4 * 4;  // padded to 32 bits
-    for (const nlohmann::json& s : {painted, filled}) {
-      ASSERT_EQ(s.at("image_bytes"), 120 * row);
-      ASSERT_EQ(s.at("bits_per_pixel"), 8 * c.bytesPerPixel);
-      ASSERT_EQ(s.at("shared_memory"), c.shared);
-      const auto bytes = s.at("bytes").get<std::int64_t>(), requests = s.at("requests").get<std::int64_t>();
-      ASSERT_GE(bytes, 4 * requests);  // no request is shorter
-      ASSERT_GT(requests, 0);
-    }
-    const auto bytes = painted.at("bytes").get<std::int64_t>();
-    const std::int64_t pixels = c.shared ? 0 : 120 * row;
-    EXPECT_GE(bytes, pixels);
-    EXPECT_LT(bytes, pixels + 8'192);  // 256 colours of 12 bytes, and a few requests
-    EXPECT_GT(filled.at("requests").get<int>(), painted.at("requests").get<int>() + 100);
+  const std::string filled = made("x.png", "snapshot --fill x11 ", eight.name());
+  const IndexedPng ours = readIndexedPng(made("d.png", "draw ", "")).value(),
+                   served = readIndexedPng(filled).value();
+  const std::vector<std::uint8_t>&cells = ours.image.pixels, &theirs = served.image.pixels;
+  ASSERT_EQ(theirs.size(), cells.size());
+  EXPECT_EQ(served.held, ours.held);
+  int painted = 0, same = 0, twins = 0;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const std::uint8_t cell = cells[k];
+    if (cell < 11) continue;
+    ++painted;
+    same += theirs[k] == cell;
+    twins += cell > 11 && ours.held[cell] == ours.held[cell - 1];
+  }
+  EXPECT_GT(painted, 30'000);
+  EXPECT_GT(same, painted * 9 / 10);
+  EXPECT_LT(same, painted);        // outlines have the cells of the server
+  EXPECT_GT(twins, painted / 20);  // here the first cell of that colour would be wrong
+  EXPECT_EQ(readPng(made("y.png", "snapshot --fill x11 ", deep.name())), readPng(filled));
+}
+
+class Screenshot : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Depths, Screenshot, testing::Values(8, 24), testing::PrintToStringParamName());
+
+// A screenshot of the window equals the snapshot of the whole window, and the picture in it equals the plain
+// snapshot. So does a screenshot of the screen with each window in its own colours.
+TEST_P(Screenshot, OfAnotherClientAgreesWithOurs) {
+  const XServer server = XServer::xvfb(GetParam(), 1100, 800);
+  for (const auto& [w, h] : {std::pair{1024, 768}, {800, 600}, {320, 240}}) {
+    SCOPED_TRACE(testing::Message() << w << " x " << h);
+    const std::string line = "teapot --divisions 4 --table corrected --hue 0.3,0.5,1 --shade gouraud";
+    const std::string size = " --size " + std::to_string(w) + "x" + std::to_string(h);
+    const Rect seen = aboveStatus(w, h);
+    const RgbImage expected = freshWindow(server, line, w, h);
+    const WatchedViewer viewer{server, line + size};
+    const WatchedWindow& window = viewer.window;
+    ASSERT_TRUE(window.comesToShow(expected, seen));
+
+    const RgbImage taken = screenshot(server, "-id " + std::to_string(window.id()));
+    EXPECT_EQ(std::pair(taken.width, taken.height), std::pair(w, h));
+    EXPECT_EQ(cropped(taken, seen), expected);
+    const RgbImage screen = screenshot(server, "-root");
+    EXPECT_EQ(screen.width, 1100);
+    EXPECT_EQ(cropped(screen, seen), expected);
+
+    const Rect at = layoutOf(w, h).picture;
+    if (!layoutOf(w, h).roomy) continue;  // words lie over the picture
+    const std::string pictureSize = " --size " + std::to_string(at.width) + "x" + std::to_string(at.height);
+    EXPECT_EQ(cropped(taken, at), pictureOf("snapshot " + line + pictureSize, server.name()));
   }
 }
 

@@ -10,6 +10,8 @@
 #include "shading/scene/scene_file.h"
 #include "tests/x11/support/command_fixture.h"
 #include "tests/x11/support/parsed_options.h"
+#include "tests/x11/support/story_text.h"
+#include "tests/x11/support/x_server.h"
 #include "x11/app/ready_scene.h"
 #include "x11/app/workbench.h"
 #include "x11/command/read_lecture.h"
@@ -28,21 +30,6 @@ Strings stories() {
   for (const std::string& name : filesIn(XNEWELL_STORIES))
     if (name.ends_with(".txt")) names.push_back(name.substr(0, name.size() - 4));
   return names;
-}
-
-std::string unescaped(const std::string& text) {
-  std::string plain;
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    if (text[k] != '\\' || k + 1 == text.size()) {
-      plain += text[k];
-    } else if (text[++k] == 'x') {
-      plain += static_cast<char>(std::stoi(text.substr(k + 1, 2), nullptr, 16));
-      k += 2;
-    } else {
-      plain += text[k] == 'n' ? '\n' : text[k] == 'r' ? '\r' : text[k] == 't' ? '\t' : text[k];
-    }
-  }
-  return plain;
 }
 
 /// Words between blanks; one in '...' may hold blanks or nothing.
@@ -141,7 +128,6 @@ struct StoryWindow : Workbench {
       finish();
     }
   }
-  /// What is written so, last; key caps are pressed.
   /// What was written last with these words; if nothing is, they may be a part of it.
   void click(const std::string& words) {
     const auto find = [&](bool whole) {
@@ -162,13 +148,54 @@ struct StoryWindow : Workbench {
   std::string copied;
 };
 
+/// What is read as a file of this kind.
+const std::map<std::string, std::string> kReaders{{"scene", "json"}, {"lesson", "json"}, {"lecture", "json"},
+                                                  {"obj", "obj"},    {"mtl", "mtl"},     {"ply", "ply"},
+                                                  {"off", "off"},    {"bpt", "bpt"}};
+
+struct Line {
+  int number = 0;
+  std::string text;
+};
+
 class Story : public CommandTest, public testing::WithParamInterface<std::string> {
  protected:
   Story() {
     std::filesystem::remove(file("old.png"));
     std::filesystem::current_path(file("."));
+    names_["<data>"] = XNEWELL_DATA_DIR;
+    names_["<cxx>"] = XNEWELL_CXX;
+    names_["<hindered>"] = builtProgram("tests/xnewell_hindered");
   }
   ~Story() override { std::filesystem::current_path("/"); }
+
+  /// Tells these lines; those from `each` to its `end` once for each of the values.
+  void tellAll(const std::vector<Line>& lines) {
+    for (auto at = lines.begin(); at != lines.end(); ++at) {
+      const std::string line = withNames(at->text, names_);
+      if (line.starts_with("each ")) {
+        int open = 0;
+        const auto end = std::find_if(at, lines.end(), [&](const Line& one) {
+          open += one.text.starts_with("each ") - (one.text == "end");
+          return open == 0;
+        });
+        ASSERT_NE(end, lines.end()) << line;
+        const std::size_t equals = line.find(" = ");
+        std::istringstream values{line.substr(equals + 3) + '|'};
+        for (std::string value; std::getline(values, value, '|');) {
+          names_['<' + line.substr(5, equals - 5) + '>'] = value;
+          tellAll({at + 1, end});
+        }
+        at = end;
+        continue;
+      }
+      for (const std::string& one : expanded(line)) {
+        SCOPED_TRACE("tests/stories/" + GetParam() + ".txt:" + std::to_string(at->number) + ": " + one);
+        tell(one);
+        ++told_;
+      }
+    }
+  }
 
   void tell(const std::string& line) {
     const std::size_t blank = line.find(' ');
@@ -178,10 +205,15 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
     if (verb == "let") {
       names_["<" + rest.substr(0, equals) + ">"] = rest.substr(equals + 3);
     } else if (verb == "file") {
-      write(rest.substr(0, equals), unescaped(rest.substr(equals + 3)));
+      write(unescaped(rest.substr(0, equals)), unescaped(rest.substr(equals + 3)));
+    } else if (verb == "carried") {
+      write(rest.substr(0, equals),
+            encodePng(IndexImage{3, 2, 7}, Palette{}, unescaped(rest.substr(equals + 3))));
     } else if (verb == "folder") {
       std::filesystem::create_directory(rest);
-    } else if (verb == "scene" || verb == "lesson" || verb == "lecture") {
+    } else if (verb == "server") {
+      serve(rest);
+    } else if (kReaders.contains(verb)) {
       reader_ = verb, text_ = rest;
     } else if (verb == ":") {
       std::string text = text_;
@@ -192,20 +224,39 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
       const std::string said = complaintAll(wordsOf(what));
       EXPECT_TRUE(matches(said, then == "ok" ? "" : then)) << said;
     } else if (verb == "$") {
-      run(wordsOf(what), then);
+      const auto before = everything();
+      ended(runProgram(wordsOf(what), display_), then, before);
+    } else if (verb == "sh") {
+      const std::string folder = builtProgram().substr(0, builtProgram().rfind('/'));
+      ended(RunningProgram{"sh", {"-c", "PATH='" + folder + ":'$PATH; " + what}, display_}.wait(), then, {});
     } else if (verb == "holds") {
       const std::string text = contents(rest.substr(0, equals));
       EXPECT_TRUE(matches(text, rest.substr(equals + 3))) << text;
     } else if (verb == "hides") {
       EXPECT_EQ(last_.out.find(rest), rest.npos) << last_.out;
+    } else if (verb == "lacks") {
+      const std::string text = contents(rest.substr(0, equals));
+      EXPECT_FALSE(text.empty());
+      EXPECT_EQ(text.find(unescaped(rest.substr(equals + 3))), text.npos) << text;
+    } else if (verb == "png") {
+      const RgbImage image = readPng(rest.substr(0, equals));
+      EXPECT_EQ(std::to_string(image.width) + 'x' + std::to_string(image.height), rest.substr(equals + 3));
+    } else if (verb == "note") {
+      const std::string note = noteInPng(rest.substr(0, equals)).value_or("");
+      EXPECT_TRUE(matches(note, rest.substr(equals + 3))) << note;
+    } else if (verb == "looks") {
+      EXPECT_EQ(readPng(wordsOf(rest).at(0)), readPng(wordsOf(rest).at(1)));
+    } else if (verb == "files") {
+      EXPECT_EQ(std::to_string(filesIn(rest.substr(0, equals)).size()), rest.substr(equals + 3));
     } else if (verb == "once") {
       const std::string text = contents(rest.substr(0, equals)), part = rest.substr(equals + 3);
       EXPECT_NE(text.find(part), text.npos) << text;
       EXPECT_EQ(text.find(part), text.rfind(part)) << text;
-    } else if (verb == "same") {
+    } else if (verb == "same" || verb == "differ") {
       const Strings two = wordsOf(rest);
-      const std::string first = two.at(0) == "-" ? last_.out : contents(two.at(0));
-      EXPECT_TRUE(first == contents(two.at(1)) && !first.empty());
+      const std::string first = two.at(0) == "-" ? last_.out : contents(two.at(0)),
+                        second = contents(two.at(1));
+      EXPECT_TRUE((first == second) == (verb == "same") && !first.empty() && !second.empty());
     } else if (verb == "fact") {
       fact(wordsOf(rest));
     } else if (verb == "open") {
@@ -250,29 +301,59 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
     return window_->copied;
   }
 
-  /// Without the name of the file.
+  /// Of a text that is read so, without the name of its file. A model is read by `draw`.
   [[nodiscard]] std::string complaintOf(const std::string& text) const {
-    const std::string name = write("a.json", text);
-    try {
-      if (reader_ == "scene") (void)parseSceneFile(text, name, XNEWELL_DATA_DIR);
-      if (reader_ == "lesson") (void)parseLesson(text, name, XNEWELL_DATA_DIR "/lessons");
-      if (reader_ == "lecture") (void)readLecture(name);
-    } catch (const std::exception& e) {
-      const std::string said = e.what();
-      return said.starts_with(name) ? said.substr(name.size()) : said;
+    const std::string end = kReaders.at(reader_), name = "a." + end;
+    write(name, text);
+    std::string said;
+    if (end != "json") {
+      const bool library = end == "mtl";
+      write("of_mtl.obj", "mtllib a.mtl\nusemtl m\n" + kTriangleObj);
+      const auto before = everything();
+      const Finished drawn = runProgram({"draw", library ? "of_mtl.obj" : name, "-o", "new.png"});
+      EXPECT_EQ(drawn.status, 2);
+      EXPECT_EQ(std::ranges::count(drawn.err, '\n'), 1);
+      EXPECT_EQ(everything(), before);
+      said = drawn.err.substr(std::min<std::size_t>(drawn.err.size(), 9));
+    } else {
+      try {
+        if (reader_ == "scene") (void)parseSceneFile(text, name, XNEWELL_DATA_DIR);
+        if (reader_ == "lesson") (void)parseLesson(text, name, XNEWELL_DATA_DIR "/lessons");
+        if (reader_ == "lecture") (void)readLecture(name);
+      } catch (const std::exception& e) {
+        said = e.what();
+      }
     }
-    return "";
+    return said.starts_with(name) ? said.substr(name.size()) : said;
   }
 
-  /// The status, and after a bar the one line with which the program refuses. Then nothing is written.
-  void run(const Strings& words, const std::string& then) {
-    const std::size_t bar = then.find(" | ");
-    const auto before = everything();
-    last_ = runProgram(words);
+  /// The next programs find this server: a depth, one whose black is 1, none, or any name.
+  void serve(const std::string& what) {
+    server_.reset(), host_.reset();
+    if (what == "nested") host_.emplace(XServer::xvfb(24, 1400, 1000));
+    if (what == "nested") server_.emplace(XServer::xephyr(*host_, 8, 320, 240));
+    if (what[0] == '8' || what[0] == '2') {  // its options stand behind the depth
+      const Strings words = wordsOf(what);
+      server_.emplace(XServer::xvfb(std::stoi(words[0]), 1024, 768, {words.begin() + 1, words.end()}));
+    }
+    display_ = server_ ? server_->name() : what == "none" ? "" : what;
+  }
+
+  /// The status, and after a bar the one line with which the program refuses. Then nothing is written. No
+  /// text commands a terminal.
+  void ended(Finished run, const std::string& then, const std::map<std::string, std::string>& before) {
+    last_ = std::move(run);
     EXPECT_EQ(last_.status, std::stoi(then)) << last_.err;
+    const std::string all = last_.out.starts_with("\x89PNG") ? last_.err : last_.out + last_.err;
+    EXPECT_TRUE(std::ranges::none_of(all, [](char c) {
+      return c != '\n' && ((c >= 0 && c < ' ') || c == 0x7F);
+    })) << all;
+    EXPECT_EQ(all.find("\u009b"), all.npos);
+    const std::size_t bar = then.find(" | ");
     if (bar == then.npos) return;
     EXPECT_TRUE(matches(last_.err, "xnewell: " + then.substr(bar + 3))) << last_.err;
     EXPECT_EQ(std::ranges::count(last_.err, '\n'), 1);
+    EXPECT_LT(last_.err.size(), 1000u);
     EXPECT_EQ(last_.out, "");
     EXPECT_EQ(everything(), before);
   }
@@ -285,7 +366,8 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
       EXPECT_FALSE(all.contains(Json::json_pointer{words[0]}));
       return;
     }
-    const Json is = all.at(Json::json_pointer{words.at(0)}), should = Json::parse(words.at(2));
+    const Json is = all.at(Json::json_pointer{words.at(0)}),
+               should = words[2][0] == '/' ? all.at(Json::json_pointer{words[2]}) : Json::parse(words[2]);
     const char op = words.at(1).at(0);
     if (op == '~') {
       const auto decimals = static_cast<double>(words[2].size() - words[2].find('.') - 1);
@@ -296,9 +378,12 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
   }
 
   std::map<std::string, std::string> names_;
-  std::string reader_, text_;  ///< of the last line `scene`, `lesson` or `lecture`
+  std::string reader_, text_;  ///< of the last line `scene`, `lesson`, ...
+  std::optional<XServer> host_, server_;
+  std::string display_;
   std::unique_ptr<StoryWindow> window_;
   Finished last_;
+  int told_ = 0;
 };
 
 }  // namespace
@@ -306,20 +391,12 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
 // Each line of the story is true.
 TEST_P(Story, Holds) {
   std::ifstream in{XNEWELL_STORIES + ('/' + GetParam()) + ".txt"};
-  int number = 0, told = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    if (line.empty() || line[0] == '#') continue;
-    for (const auto& [name, text] : names_)
-      for (std::size_t at = 0; (at = line.find(name, at)) != line.npos; at += text.size())
-        line.replace(at, name.size(), text);
-    for (const std::string& one : expanded(line)) {
-      SCOPED_TRACE("tests/stories/" + GetParam() + ".txt:" + std::to_string(number) + ": " + one);
-      tell(one);
-      ++told;
-    }
-  }
-  EXPECT_GT(told, 2);
+  std::vector<Line> lines;
+  int number = 0;
+  for (std::string line; std::getline(in, line);)
+    if (++number; !line.empty() && line[0] != '#') lines.push_back({number, line});
+  tellAll(lines);
+  EXPECT_GT(told_, 2);
 }
 INSTANTIATE_TEST_SUITE_P(Stories, Story, testing::ValuesIn(stories()),
                          [](const auto& story) { return story.param; });

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <random>
 #include <string_view>
 
 #include "tests/support/seeds.h"
@@ -70,7 +71,7 @@ class WrittenFiles : public CommandTest {
       words.push_back(word == "@" ? target : word.starts_with('@') ? file(word.substr(1)) : word);
     return words;
   }
-  /// Runs a row. If `hindrance` is not empty, its writes meet that (hindered_writes.cpp).
+  /// Runs a row. If `hindrance` is not empty, its writes meet that (hindered.cpp).
   [[nodiscard]] Finished runRow(const WritingRow& row, const std::string& target,
                                 const std::string& hindrance = "") {
     if (row.server && !server_) server_.emplace(XServer::xvfb(24));
@@ -80,14 +81,14 @@ class WrittenFiles : public CommandTest {
     ::unsetenv("XNEWELL_HINDER");
     return program.wait();
   }
-  /// What the folder has beside the inputs, or with them, with the names of files in folders. An empty folder
-  /// counts as none.
-  [[nodiscard]] std::map<std::string, std::string> outputs(bool andInputs = false) const {
+  /// What the folder has beside the inputs, with the names of files in folders. An empty folder counts as
+  /// none.
+  [[nodiscard]] std::map<std::string, std::string> outputs() const {
     std::map<std::string, std::string> all;
     const std::filesystem::path top = file(".");
     for (const auto& entry : std::filesystem::recursive_directory_iterator{top})
       if (const std::string name = entry.path().lexically_relative(top).string();
-          entry.is_regular_file() && (andInputs || !name.starts_with("in/")))
+          entry.is_regular_file() && !name.starts_with("in/"))
         all[name] = contents(entry.path().string());
     return all;
   }
@@ -114,6 +115,88 @@ class WrittenFiles : public CommandTest {
 
 bool isFolder(const WritingRow& row) { return row.option == "--frames" || row.option == "--feedback"; }
 
+/// The program when the system refuses it memory. Every command writes `out.png`, or a figure of that name.
+class ScarceMemory : public CommandTest {
+ protected:
+  ScarceMemory() {
+    std::filesystem::copy(XNEWELL_TESTS_DATA_DIR "/changed", file("."));
+    write(
+        "t.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    write("t.off", "OFF\n3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    write("cube.json",
+          R"({"lights": [{"kind": "spot", "at": [2, 3, 4]}], "materials": {"m": {"texture": "checks.png"}},)"
+          R"( "objects": [{"solid": "cube", "material": "m"}, {"file": "t.ply", "move": [0, 0, 2]}]})");
+    EXPECT_EQ(runProgram({"draw", file("t.off"), "-o", file("carried.png"), "--size", "40x30"}).status, 0);
+    inputs_ = everything();
+  }
+
+  /// Runs the program whose allocations fail as `scarcity` says (hindered.cpp).
+  static Finished runScarce(const std::string& scarcity, const Strings& words) {
+    ::setenv("XNEWELL_SCARCE", scarcity.c_str(), 1);
+    RunningProgram program{builtProgram("tests/xnewell_hindered"), words, ""};
+    ::unsetenv("XNEWELL_SCARCE");
+    return program.wait(std::chrono::seconds{60});
+  }
+  [[nodiscard]] long allocationsOf(const Strings& words) const {
+    (void)runScarce(file("count"), words);
+    const long count = std::strtol(contents(file("count")).c_str(), nullptr, 10);
+    std::filesystem::remove(file("count"));
+    EXPECT_GT(count, 800);
+    return count;
+  }
+  /// What is in the folder beside the inputs. Removes it.
+  [[nodiscard]] std::map<std::string, std::string> taken() const {
+    std::map<std::string, std::string> now = everything();
+    for (const auto& [name, bytes] : inputs_) {
+      EXPECT_TRUE(now[name] == bytes) << name;
+      now.erase(name);
+    }
+    for (const auto& [name, bytes] : now) std::filesystem::remove(file(name));
+    return now;
+  }
+  /// Checks that the program, if the n-th allocation fails, or all from the n-th on do, says so in a line and
+  /// writes either nothing or what it writes else. A failure that does not matter may go unnoticed: sorting
+  /// and buffers can do without. Here n is one of each of `few` parts of from..end, or if the environment has
+  /// XNEWELL_ALLOCATIONS=PARTS, of so many, of all if that is more. Returns how many runs there were.
+  int failsInALine(const Strings& words, const Finished& well, const std::map<std::string, std::string>& made,
+                   long from, long end, long few) const {
+    if (const char* const parts = std::getenv("XNEWELL_ALLOCATIONS")) few = std::strtol(parts, nullptr, 10);
+    few = std::min(few, end - from);
+    std::mt19937 rng{1972};
+    int runs = 0;
+    for (long part = 0; part < few; ++part) {
+      const long begin = from + (end - from) * part / few, next = from + (end - from) * (part + 1) / few;
+      const long n = begin + static_cast<long>(rng() % static_cast<unsigned long>(next - begin));
+      for (const std::string& scarcity : {std::to_string(n), std::to_string(n) + '+'}) {
+        SCOPED_TRACE(words[0] + ' ' + words[1] + ", allocation " + scarcity);
+        const Finished run = runScarce(scarcity, words);
+        const auto files = taken();
+        ++runs;
+        if (run.status == 0) {
+          EXPECT_EQ(run.err, well.err);
+          EXPECT_TRUE(files == made);
+          continue;
+        }
+        EXPECT_EQ(run.status, 1);
+        EXPECT_TRUE(files.empty() || files == made);
+        // Notes of what a file has and the picture has not may be told before.
+        std::string last = run.err;
+        if (const std::size_t note = last.rfind("xnewell: note: "); note != last.npos)
+          last.erase(0, last.find('\n', note) + 1);
+        EXPECT_TRUE(last.starts_with("xnewell: ")) << run.err;
+        EXPECT_EQ(std::ranges::count(last, '\n'), 1) << run.err;
+        EXPECT_TRUE(last.find("memory") != last.npos) << run.err;
+      }
+    }
+    return runs;
+  }
+
+ private:
+  std::map<std::string, std::string> inputs_;
+};
+
 }  // namespace
 
 // The table has every option that takes the name of a file or folder, with each command where it works.
@@ -126,7 +209,7 @@ TEST_F(WrittenFiles, AreAllInTheTable) {
     for (const std::string_view place : option.places) {
       const std::string_view command = place.substr(0, place.find(' '));
       if (option.name == "--page" && command != "grade")
-        continue;  // needs the page of a browser: address_test.cpp
+        continue;  // needs the page of a browser: options_test.cpp
       EXPECT_EQ(
           std::ranges::count_if(
               kWriting, [&](const WritingRow& r) { return r.option == option.name && r.command == command; }),
@@ -167,63 +250,6 @@ TEST_F(WrittenFiles, AreWholeOrAsTheyWere) {
     failed(row, target, "", std::strerror(EISDIR));
     failed(row, file("none/" + row.target), "", std::strerror(ENOENT));
   }
-}
-
-// No command writes what it has read: neither the scene's file nor one that it names, nor what is handed in,
-// whatever the file is called. Two outputs are two files.
-TEST_F(WrittenFiles, AreNeitherReadNorOneFile) {
-  write("a.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n");
-  write("m.mtl", "newmtl m\nmap_Kd t.png\n");
-  std::filesystem::copy_file(file("in/drawn.png"), file("t.png"));
-  write("s.json", R"({"objects": [{"file": "a.obj"}]})");
-  write("set.json", R"({"scene": "s.json"})");
-  write("rubric", "drawn 1\n");
-  std::filesystem::copy_file(std::string{XNEWELL_DATA_DIR} + "/lessons/cycles.json", file("l.json"));
-  std::filesystem::create_hard_link(file("s.json"), file("hard.png"));
-  std::filesystem::create_symlink("in/../s.json", file("soft.png"));
-  std::filesystem::create_symlink("new.png", file("dangling.png"));
-  const std::string read = ": it was read, so it would be lost: name another file",
-                    one = ": two outputs would be this one file";
-  struct Row {
-    Strings words;  ///< @NAME is a file in the folder
-    std::string target, complaint;
-  };
-  std::vector<Row> rows{
-      {{"questions", "@s.json", "--gift"}, "s.json", read},
-      {{"lesson", "@l.json", "--worksheet"}, "l.json", read},
-      {{"grade", "@s.json", "@in", "-o", "@new.csv", "--page"}, "s.json", read},
-      {{"grade", "bench", "@in", "-o", "@new.csv", "--page"}, "in/drawn.png", read},
-      {{"grade", "bench", "@in", "-o"}, "in/wrong.jsonl", read},
-      {{"grade", "bench", "@in", "-o", "@new.csv", "--page"}, "new.csv", one},
-      {{"grade", "bench", "@in", "--rubric", "@rubric", "-o"}, "rubric", read},
-      {{"judge", "@set.json", "@in/wrong.jsonl", "-o"}, "s.json", read},
-      {{"judge", "@set.json", "@in/wrong.jsonl", "-o"}, "in/wrong.jsonl", read},
-      {{"diagnose", "bench", "@in/drawn.png", "-o"}, "in/drawn.png", read},
-      {{"figure", "@s.json", "-o", "@new.svg", "--ids"}, "new.svg", one},
-      {{"trade", "@s.json", "-o"}, "s.json", read},
-      {{"extremes", "@s.json", "-o"}, "s.json", read},
-      {{"draw", "@in/drawn.png", "-o"}, "in/drawn.png", read},
-      {{"draw", "textured-cube", "--texture", "@t.png", "-o"}, "t.png", read},
-      {{"draw", "cycle", "-o", "@new.png", "--ids"}, "dangling.png", one},
-  };
-  for (const char* target : {"set.json", "s.json", "hard.png", "soft.png", "a.obj", "m.mtl", "t.png"}) {
-    rows.push_back({{"draw", "@set.json", "-o"}, target, read});
-    rows.push_back({{"draw", "@set.json", "-o", "@new.png", "--ids"}, target, read});
-  }
-  const auto before = outputs(true);
-  for (const Row& row : rows) {
-    Strings words;
-    for (const std::string& word : row.words)
-      words.push_back(word.starts_with('@') ? file(word.substr(1)) : word);
-    const Finished end = runProgram(words + Strings{file(row.target)});
-    EXPECT_EQ(end.status, 2) << row.words[0] << ' ' << row.target;
-    EXPECT_EQ(end.err, "xnewell: " + file(row.target) + row.complaint + '\n');
-    EXPECT_EQ(end.out, "");
-    EXPECT_TRUE(outputs(true) == before) << row.words[0] << ' ' << row.target;
-  }
-  // A name that is only read as a built-in scene is free, and a device takes two outputs.
-  EXPECT_EQ(runProgram({"draw", "cycle", "-o", file("cycle")}).status, 0);
-  EXPECT_EQ(runProgram({"draw", "cycle", "-o", "/dev/null", "--ids", "/dev/null"}).status, 0);
 }
 
 // An interrupt while a file is half written, and again before it takes its name: the program ends as soon as
@@ -287,6 +313,47 @@ TEST_F(WrittenFiles, RespectPermissions) {
     EXPECT_TRUE(outputs() == before);
     removeOutputs();
   }
+}
+
+// Whatever allocation fails, the program ends with status 1 and a line, and no file is half written: for
+// models of all kinds, textures, a picture that carries its set-up, and figures.
+TEST_F(ScarceMemory, IsToldInALine) {
+  struct Case {
+    Strings words;
+    std::string output;
+  };
+  int runs = 0;
+  bool options = false;
+  // nlohmann-json leaks or asserts if it is refused memory. The program ends then, so only sanitizers mind.
+  const Strings stats = kSanitized ? Strings{} : Strings{"--stats"};
+  for (const Case& c :
+       someOf({Case{Strings{"draw", file("boxes.obj"), "--ids", file("ids.png")} + stats, "out.png"},
+               Case{{"draw", file("carried.png")}, "out.png"}, Case{{"figure", file("boxes.obj")}, "out.svg"},
+               Case{{"figure", file("cube.json")}, "out.pdf"},
+               Case{{"draw", file("cube.json"), "--shade", "phong"}, "out.png"},
+               Case{{"draw", file("t.off"), "--order", "oracle"}, "out.png"},
+               Case{{"draw", XNEWELL_DATA_DIR "/square.bpt", "--divisions", "2"}, "out.png"},
+               Case{{"figure", file("t.ply"), "--edges", "visible"}, "out.eps"}},
+              3)) {
+    const Strings rest{"--size", "40x30", "-o", file(c.output)};
+    const Strings words = c.words + rest;
+    const Finished well = runProgram(words);
+    ASSERT_EQ(well.status, 0) << well.err;
+    const auto made = taken();
+    Strings none = words;
+    none[1] = file("none.obj");
+    const long all = allocationsOf(words), parsed = allocationsOf(none);
+    EXPECT_TRUE(taken() == made);
+    ASSERT_GT(all, parsed);
+    // Most allocations read the options: once is enough.
+    if (!std::exchange(options, true))
+      runs += failsInALine(words, well, made, 1, parsed, kSanitized ? 15 : 30);
+    runs += failsInALine(words, well, made, parsed, all + 1, kSanitized ? 20 : 25);
+  }
+  if (std::getenv("XNEWELL_ALLOCATIONS") == nullptr) {
+    EXPECT_GT(runs, kSanitized ? 100 : 400);
+  }
+  RecordProperty("runs", runs);
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -1,22 +1,21 @@
 #include "x11/homework/marks_formats.h"
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "shading/color/png.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/support/temporary_folder.h"
 #include "x11/homework/class_marks.h"
-#include "x11/homework/hand_ins.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -73,79 +72,43 @@ std::string complaint(const Json& value, const Members& members, const std::stri
   return "";
 }
 
-const std::set<std::string> kVisible{"hidden", "after_due_date", "after_published", "visible"},
-    kFormats{"text", "simple_format", "html", "md", "ansi"};
+/// The members that a text names: each path, what it is, `!` where it must be there, and after = its words.
+Members membersOf(const std::string& text) {
+  Members all;
+  std::istringstream in{text};
+  for (std::string path, is; in >> path >> is;) {
+    all.push_back({path == "." ? "" : path, is[0], is.find('!') != is.npos});
+    std::istringstream words{is.substr(std::min(is.find('='), is.size() - 1) + 1)};
+    for (std::string word; std::getline(words, word, ',');) all.back().words.insert(word);
+  }
+  return all;
+}
 /// gradescope-autograders.readthedocs.io, "Autograder Specifications", "Output format".
-const Members kGradescope{{"", 'o'},
-                          {"/score", 'n'},
-                          {"/execution_time", 'n'},
-                          {"/output"},
-                          {"/output_format", 's', false, kFormats},
-                          {"/test_output_format", 's', false, kFormats},
-                          {"/test_name_format", 's', false, kFormats},
-                          {"/visibility", 's', false, kVisible},
-                          {"/stdout_visibility", 's', false, kVisible},
-                          {"/extra_data", 'o'},
-                          {"/tests", 'l', true},
-                          {"/tests/*", 'o'},
-                          {"/tests/*/score", 'n', true},
-                          {"/tests/*/max_score", 'n'},
-                          {"/tests/*/status", 's', false, {"passed", "failed"}},
-                          {"/tests/*/name"},
-                          {"/tests/*/name_format", 's', false, kFormats},
-                          {"/tests/*/number"},
-                          {"/tests/*/output"},
-                          {"/tests/*/output_format", 's', false, kFormats},
-                          {"/tests/*/tags", 'l'},
-                          {"/tests/*/tags/*"},
-                          {"/tests/*/visibility", 's', false, kVisible},
-                          {"/tests/*/extra_data", 'o'}};
-/// Classroom 50's wiki, "Advanced Autograding", "The result.json contract".
-const Members kClassroom50{{"", 'o'},
-                           {"/schema", 's', true, {"classroom50/result/v1"}},
-                           {"/classroom", 't', true},
-                           {"/assignment", 't', true},
-                           {"/assignment_type", 's', true, {"individual", "group"}},
-                           {"/owner", 't', true},
-                           {"/submission", 't', true},
-                           {"/commit", 't', true},
-                           {"/release", 't', true},
-                           {"/review", 't', true},
-                           {"/datetime", 't', true},
-                           {"/graded_at", 't'},
-                           {"/score", 'i', true},
-                           {"/max-score", 'i', true},
-                           {"/tests", 'l', true},
-                           {"/tests/*", 'o'},
-                           {"/tests/*/test-name", 't', true},
-                           {"/tests/*/passed", 'b', true},
-                           {"/tests/*/score", 'i', true},
-                           {"/tests/*/max-score", 'i', true},
-                           {"/tests/*/message"}};  // "extra diagnostic fields are preserved"
+const Members kGradescope = membersOf(R"(
+    . o  /score n  /execution_time n  /output s  /output_format s=text,simple_format,html,md,ansi
+    /test_output_format s=text,simple_format,html,md,ansi
+    /test_name_format s=text,simple_format,html,md,ansi
+    /visibility s=hidden,after_due_date,after_published,visible
+    /stdout_visibility s=hidden,after_due_date,after_published,visible  /extra_data o  /tests l!
+    /tests/* o  /tests/*/score n!  /tests/*/max_score n  /tests/*/status s=passed,failed
+    /tests/*/name s  /tests/*/name_format s=text,simple_format,html,md,ansi  /tests/*/number s
+    /tests/*/output s  /tests/*/output_format s=text,simple_format,html,md,ansi  /tests/*/tags l
+    /tests/*/tags/* s  /tests/*/visibility s=hidden,after_due_date,after_published,visible
+    /tests/*/extra_data o)");
+/// Classroom 50's wiki, "Advanced Autograding", "The result.json contract". "Extra diagnostic fields are
+/// preserved."
+const Members kClassroom50 = membersOf(R"(
+    . o  /schema s!=classroom50/result/v1  /classroom t!  /assignment t!
+    /assignment_type s!=individual,group  /owner t!  /submission t!  /commit t!  /release t!  /review t!
+    /datetime t!  /graded_at t  /score i!  /max-score i!  /tests l!  /tests/* o  /tests/*/test-name t!
+    /tests/*/passed b!  /tests/*/score i!  /tests/*/max-score i!  /tests/*/message s)");
 /// PrairieLearn's documentation, "External grading", "Grading results".
-const Members kPrairieLearn{{"", 'o'},
-                            {"/gradable", 'b'},
-                            {"/score", 'n', true},
-                            {"/message"},
-                            {"/output"},
-                            {"/format_errors", 'l'},
-                            {"/format_errors/*"},
-                            {"/images", 'l'},
-                            {"/images/*", 'o'},
-                            {"/images/*/label"},
-                            {"/images/*/url", 't', true},
-                            {"/tests", 'l'},
-                            {"/tests/*", 'o'},
-                            {"/tests/*/name", 't', true},
-                            {"/tests/*/description"},
-                            {"/tests/*/points", 'n', true},
-                            {"/tests/*/max_points", 'n', true},
-                            {"/tests/*/message"},
-                            {"/tests/*/output"},
-                            {"/tests/*/images", 'l'},
-                            {"/tests/*/images/*", 'o'},
-                            {"/tests/*/images/*/label"},
-                            {"/tests/*/images/*/url", 't', true}};
+const Members kPrairieLearn = membersOf(R"(
+    . o  /gradable b  /score n!  /message s  /output s  /format_errors l  /format_errors/* s  /images l
+    /images/* o  /images/*/label s  /images/*/url t!  /tests l  /tests/* o  /tests/*/name t!
+    /tests/*/description s  /tests/*/points n!  /tests/*/max_points n!  /tests/*/message s
+    /tests/*/output s  /tests/*/images l  /tests/*/images/* o  /tests/*/images/*/label s
+    /tests/*/images/*/url t!)");
 
 const std::string kDocumentedGradescope = R"({"score": 44.0, "execution_time": 136, "output": "of all",
     "output_format": "simple_format", "test_output_format": "text", "visibility": "after_due_date",
@@ -187,88 +150,38 @@ std::string prairieLearnComplaint(const std::string& file) {
   return json["score"] <= 1 ? "" : "score above 1";
 }
 
-/// The elements of an XML file, with what stands in them. It throws for what is not well-formed.
+/// The elements of an XML file, inner ones first; the last is the root. It throws for what is not
+/// well-formed.
 struct Element {
-  std::string name, text;
+  std::string name;
   std::map<std::string, std::string> attributes;
-  std::vector<Element> children;
+  std::vector<std::size_t> children;
 };
-class Xml {
- public:
-  explicit Xml(std::string text) : text_{std::move(text)} {
-    (void)Json(text_).dump();  // throws for what is not UTF-8
-    for (const char c : text_)
-      if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' && c != '\r')
-        fail("control character");
-    for (const char* none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
-      if (text_.find(none) != std::string::npos) fail("no character");
+std::vector<Element> elementsOf(std::string text) {
+  const auto check = [](bool good, const std::string& what) {
+    if (!good) throw std::runtime_error{what};
+  };
+  (void)Json(text).dump();  // throws for what is not UTF-8
+  static const std::regex kNone{"[\\x01-\\x08\\x0b\\x0c\\x0e-\\x1f]|\xEF\xBF\xBE|\xEF\xBF\xBF"},
+      kBare{"&(?!(amp|lt|gt|quot);)|]]>"}, kAttribute{R"re(\s+([\w-]+)="([^"]*)")re"},
+      kInner{R"re(<([A-Za-z][\w-]*)((?:\s+[\w-]+="[^"<]*")*)\s*(?:/>|>([^<]*)</\1>))re"},
+      kMark{"\x01(\\d+)\x01"};
+  check(text.find('\0') == text.npos && !std::regex_search(text, kNone), "no character");
+  check(!std::regex_search(text, kBare), "bare mark");
+  if (text.starts_with("<?xml")) text.erase(0, text.find("?>") + 2);
+  std::vector<Element> all;
+  for (std::smatch m; std::regex_search(text, m, kInner);) {
+    Element& one = all.emplace_back(Element{m.str(1), {}, {}});
+    const std::string attributes = m.str(2), inside = m.str(3);
+    for (std::sregex_iterator at{attributes.begin(), attributes.end(), kAttribute}, end; at != end; ++at)
+      check(one.attributes.emplace(at->str(1), at->str(2)).second, "attribute twice");
+    for (std::sregex_iterator at{inside.begin(), inside.end(), kMark}, end; at != end; ++at)
+      one.children.push_back(std::stoul(at->str(1)));
+    text = m.prefix().str() + '\x01' + std::to_string(all.size() - 1) + '\x01' + m.suffix().str();
   }
-  Element root() {
-    if (text_.starts_with("<?xml")) at_ = text_.find("?>") + 2;
-    blanks();
-    Element all = element();
-    blanks();
-    if (at_ != text_.size()) fail("text after the end");
-    return all;
-  }
-
- private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw std::runtime_error{what + " at " + std::to_string(at_)};
-  }
-  void blanks() { at_ = std::min(text_.find_first_not_of(" \n", at_), text_.size()); }
-  bool take(std::string_view word) {
-    if (text_.compare(at_, word.size(), word) != 0) return false;
-    at_ += word.size();
-    return true;
-  }
-  std::string name() {
-    const std::size_t from = at_;
-    while (at_ < text_.size() &&
-           (std::isalnum(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '-'))
-      ++at_;
-    if (at_ == from) fail("no name");
-    return text_.substr(from, at_ - from);
-  }
-  std::string words(std::string_view ends) {
-    std::string all;
-    for (; at_ < text_.size() && ends.find(text_[at_]) == ends.npos; ++at_) {
-      if (text_.compare(at_, 3, "]]>") == 0 || (text_[at_] == '<')) fail("bare mark");
-      if (text_[at_] != '&') {
-        all += text_[at_];
-        continue;
-      }
-      const std::size_t end = text_.find(';', at_);
-      const std::map<std::string, char> kEntities{{"amp", '&'}, {"lt", '<'}, {"gt", '>'}, {"quot", '"'}};
-      const auto entity = kEntities.find(text_.substr(at_ + 1, end - at_ - 1));
-      if (entity == kEntities.end()) fail("entity");
-      all += entity->second, at_ = end;
-    }
-    return all;
-  }
-  Element element() {
-    Element one;
-    if (!take("<")) fail("no element");
-    one.name = name();
-    for (blanks(); !take(">"); blanks()) {
-      if (take("/>")) return one;
-      const std::string key = name();
-      if (!take("=\"") || one.attributes.contains(key)) fail("attribute");
-      one.attributes[key] = words("\"");
-      if (!take("\"")) fail("quote");
-    }
-    for (;;) {
-      one.text += words("<");
-      if (take("</")) break;
-      one.children.push_back(element());
-    }
-    if (name() != one.name || !take(">")) fail("end of " + one.name);
-    return one;
-  }
-
-  std::string text_;
-  std::size_t at_ = 0;
-};
+  check(std::regex_match(text, std::regex{"\\s*\x01\\d+\x01\\s*"}), "not well-formed: " + text);
+  return all;
+}
 
 /// Jenkins' schema of what JUnit writes (junit-10.xsd): children, attributes that must be there, others.
 struct ElementRule {
@@ -287,27 +200,28 @@ const std::map<std::string, ElementRule> kJUnit{
       {"time", "classname", "group"}}},
     {"failure", {{}, {}, {"type", "message"}}},
     {"system-out", {}}};
-std::string junitComplaint(const Element& one) {
-  const auto rule = kJUnit.find(one.name);
-  if (rule == kJUnit.end()) return one.name + " is not documented";
-  for (const std::string& must : rule->second.must)
-    if (!one.attributes.contains(must)) return one.name + " lacks " + must;
-  for (const auto& [key, value] : one.attributes)
-    if (!rule->second.must.contains(key) && !rule->second.may.contains(key)) return one.name + " has " + key;
-  int cases = 0, failures = 0;
-  for (const Element& child : one.children) {
-    if (!rule->second.children.contains(child.name)) return child.name + " in " + one.name;
-    if (const std::string what = junitComplaint(child); !what.empty()) return what;
-    cases += child.name == "testcase";
-    failures += std::ranges::count(child.children, "failure", &Element::name) > 0;
+std::string junitComplaint(const std::string& file) {
+  const std::vector<Element> all = elementsOf(file);
+  for (const Element& one : all) {
+    const auto rule = kJUnit.find(one.name);
+    if (rule == kJUnit.end()) return one.name + " is not documented";
+    for (const std::string& must : rule->second.must)
+      if (!one.attributes.contains(must)) return one.name + " lacks " + must;
+    for (const auto& [key, value] : one.attributes)
+      if (!rule->second.must.contains(key) && !rule->second.may.contains(key))
+        return one.name + " has " + key;
+    int cases = 0, failures = 0;
+    for (const std::size_t child : one.children) {
+      if (!rule->second.children.contains(all[child].name)) return all[child].name + " in " + one.name;
+      cases += all[child].name == "testcase";
+      failures += std::ranges::any_of(all[child].children, [&](auto k) { return all[k].name == "failure"; });
+    }
+    if (one.name == "testsuite" && (one.attributes.at("tests") != std::to_string(cases) ||
+                                    one.attributes.at("failures") != std::to_string(failures)))
+      return "counts";
   }
-  if (one.name != "testsuite") return "";
-  const auto& has = one.attributes;
-  return has.at("tests") == std::to_string(cases) && has.at("failures") == std::to_string(failures)
-             ? ""
-             : "counts";
+  return all.back().name == "testsuites" ? "" : "root";
 }
-std::string junitComplaint(const std::string& file) { return junitComplaint(Xml{file}.root()); }
 const std::string kDocumentedJUnit = R"(<?xml version="1.0" encoding="UTF-8"?>
 <testsuites name="all"><testsuite name="one" tests="2" failures="1" errors="0" time="0.1">
 <testcase classname="a" name="b" time="0.1"/><testcase name="c"><failure type="x" message="y">z &amp; w</failure>
@@ -506,8 +420,9 @@ TEST(MarksFormats, HoldHostileNames) {
       if (checker.format == MarksFormat::Csv)
         for (const Strings& line : csvOf(file)) names.insert(line[0]);
       else if (checker.format == MarksFormat::JUnit)
-        for (const Element all = Xml{file}.root(); const Element& suite : all.children)
-          names.insert(suite.attributes.at("name"));
+        for (const Element& one : elementsOf(file)) {
+          if (one.name == "testsuite") names.insert(one.attributes.at("name"));
+        }
       else if (!staged && checker.format != MarksFormat::Html)
         for (const Json& test : json["tests"])
           names.insert(
@@ -541,44 +456,26 @@ TEST(MarksFormats, HavePointsAndPictures) {
   EXPECT_EQ(json(MarksFormat::PrairieLearn)["gradable"], false);
 }
 
-// Files are found as course systems give them. What leads round, or is hidden, is counted.
-TEST(HandIns, AreFoundAsCourseSystemsGiveThem) {
+// A right picture's difference is black; one without its ambient term is darker everywhere.
+TEST(ClassMarks, ShowTheDifference) {
   const TemporaryFolder folder;
-  const auto make = [&](const std::string& path) {
-    std::filesystem::create_directories(folder.path() / std::filesystem::path{path}.parent_path());
-    folder.write(path, "");
-  };
-  for (const char* path :
-       {"anna/flat.PNG", "anna/deep/er/order.jsonl", "anna/notes.txt", "anna/.hidden.png",
-        "__MACOSX/._flat.png", "bert/readme.md", "own.ppm", "Clea Ott_17_assignsubmission_file_/flat.png",
-        "Clea Ott_18_assignsubmission_file_/flat.png", "Dan D_9_assignsubmission_file_a_b.png",
-        "_assignsubmission_file_x.png", "E_assignsubmission_file_y.png", ".git/x.png"})
-    make(path);
-  std::filesystem::create_symlink("..", folder.file("anna/loop"));
-  std::filesystem::create_symlink("anna", folder.file("zoe"));
-  std::filesystem::create_symlink("round.png", folder.file("round.png"));
-  const HandIns found = handInsOf(folder.path().string());
-  std::vector<Strings> rows;
-  for (const HandIn& one : found.files) rows.push_back({one.student, one.path, one.name, one.place});
-  const std::vector<Strings> expected{
-      {"", "E_assignsubmission_file_y.png", "E_assignsubmission_file_y.png", ""},
-      {"", "_assignsubmission_file_x.png", "_assignsubmission_file_x.png", ""},
-      {"", "own.ppm", "own.ppm", ""},
-      {"", "round.png", "round.png", ""},
-      {"Clea Ott (17)", "Clea Ott_17_assignsubmission_file_/flat.png", "flat.png",
-       "Clea Ott_17_assignsubmission_file_/"},
-      {"Clea Ott (18)", "Clea Ott_18_assignsubmission_file_/flat.png", "flat.png",
-       "Clea Ott_18_assignsubmission_file_/"},
-      {"Dan D", "Dan D_9_assignsubmission_file_a_b.png", "a_b.png", "Dan D_9_assignsubmission_file_"},
-      {"anna", "anna/deep/er/order.jsonl", "order.jsonl", "anna/"},
-      {"anna", "anna/flat.PNG", "flat.PNG", "anna/"},
-      {"bert", "bert", "", "bert/"}};
-  EXPECT_EQ(rows, expected);
-  EXPECT_EQ(
-      sentenceOf(found.passed),
-      "passed over: 3 hidden files (.git, __MACOSX, anna/.hidden.png), 2 linked folders (anna/loop, zoe), "
-      "2 other files (anna/notes.txt, bert/readme.md)");
-  EXPECT_THROW((void)handInsOf(folder.file("none")), std::system_error);
+  const Scene scene = readScene("bench-n3");
+  PictureSettings settings = scene.settings;
+  settings.camera = scene.camera, settings.width = 160, settings.height = 120;
+  const CellPlan plan;
+  Marker marker{scene, settings, {}, true};
+  for (const Mistake mistake : {Mistake::None, Mistake::NoAmbient}) {
+    PictureSettings s = settings;
+    s.light.mistake = mistake;
+    const Picture picture = makePicture(scene, s, plan[Cell::Well]);
+    const std::string name = mistake == Mistake::None ? "right.png" : "wrong.png";
+    writePng(folder.file(name), picture.image(), picture.palette(plan));
+    const MarkedFile row = marker.mark(folder.path().string(), name);
+    ASSERT_EQ(row.pictures.size(), 3u);
+    folder.write("shown.png", row.pictures[2].png);
+    const RgbImage apart = readPng(folder.file("shown.png"));
+    EXPECT_EQ(std::ranges::count(apart.rgb, 0) == std::ssize(apart.rgb), mistake == Mistake::None);
+  }
 }
 
 }  // namespace xnewell::THIS_FILE

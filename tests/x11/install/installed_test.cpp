@@ -1,17 +1,74 @@
-#include "tests/x11/install/installed.h"
-
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "shading/color/png.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/x11/support/program.h"
 
 namespace xnewell::THIS_FILE {
+
+// What `cmake --install` puts into a folder, which is then moved to another place: the program with its data
+// and documents, the man page and completions, and the library, with which the example is built.
 
 namespace {
 
 namespace fs = std::filesystem;
+using testing::HasSubstr;
+using Names = std::set<std::string>;
+
+constexpr const char* kMan = "share/man/man1/xnewell.1";
+constexpr const char* kBash = "share/bash-completion/completions/xnewell";
+constexpr const char* kZsh = "share/zsh/site-functions/_xnewell";
+constexpr const char* kFish = "share/fish/vendor_completions.d/xnewell.fish";
+
+/// What a pattern's first group finds in each line.
+Names found(const std::string& text, const std::string& pattern) {
+  Names names;
+  std::istringstream in{text};
+  std::smatch match;
+  const std::regex wanted{pattern};
+  for (std::string line; std::getline(in, line);)
+    if (std::regex_search(line, match, wanted)) names.insert(match.str(1));
+  return names;
+}
+
+/// As --help and `scenes` print them.
+struct Told {
+  std::string help = runProgram({"--help"}).out, list = runProgram({"scenes"}).out;
+  Names commands = found(help, R"(^  xnewell \[?([a-z-]+))"),
+        options = found(help, R"(^  (?:-\w,)?(--[\w-]+) )"), lessons = found(list, "^lesson (\\S+)"),
+        lectures = found(list, "^lecture (\\S+)"), scenes = found(list, "^(?!lesson |lecture )(\\S+)");
+};
+
+std::string replacedAll(std::string text, const std::string& what, const std::string& with) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())
+    text.replace(at, what.size(), with);
+  return text;
+}
+
+std::string textOfFile(const std::filesystem::path& file) {
+  std::ifstream in{file, std::ios::binary};
+  return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+/// Runs a command of the shell in a folder, without a display.
+Finished inFolder(const std::filesystem::path& folder, const std::string& command) {
+  RunningProgram shell{"bash", {"-c", "cd \"$0\" && " + command, folder.string()}, ""};
+  return shell.wait();
+}
 
 /// A line of the file matches the whole pattern, and this is what its first group holds.
 std::string lineOf(const fs::path& path, const std::string& pattern) {
@@ -23,6 +80,93 @@ std::string lineOf(const fs::path& path, const std::string& pattern) {
   ADD_FAILURE() << path << " has no line " << pattern;
   return "";
 }
+
+/// Two plates through each other, and three bars of which each is over the next one. The last is a
+/// hexagon with a dent behind all of them.
+constexpr const char* kCrossing = R"(v -2 -1 0.3000
+v 0.1000 -1 -0.7000
+v 0.1000 1 -0.7000
+v -2 1 0.3000
+v -2 -0.8000 -0.7000
+v 0.1000 -0.9000 0.3000
+v 0.1000 0.8000 0.3000
+v -2 0.9000 -0.7000
+f 1 2 3 4
+f 5 6 7 8
+v 0.5000 -1 0.4000
+v 0.9000 -1 0.4000
+v 2.5000 1 -0.4000
+v 2.1000 1 -0.4000
+f 9 10 11 12
+v 2.4000 -0.9000 0.4000
+v 2.8000 -0.9000 0.4000
+v 0.9000 1.1000 -0.5000
+v 0.5000 1.1000 -0.4000
+f 13 14 15 16
+v 3 0.5000 0.4500
+v 3 0.9000 0.4000
+v 0.3000 0.1000 -0.4000
+v 0.3000 -0.3000 -0.3500
+f 17 18 19 20
+v -3 -2 -2
+v 3.5000 -2 -2
+v 0.3000 -0.1000 -2
+v 3.5000 2 -2
+v -3 2 -2
+f 21 22 23 24 25
+)";
+
+/// Paints the pieces over each other: at each centre of a pixel, the last one whose outline is around it.
+/// Returns face number + 1, 0 where there is none.
+std::vector<int> painted(const std::string& lines, int width, int height) {
+  std::vector<int> shown(static_cast<std::size_t>(width) * height, 0);
+  std::istringstream in{lines};
+  for (std::string line; std::getline(in, line);) {
+    const auto piece = nlohmann::json::parse(line);
+    const auto corners = piece.at("piece").get<std::vector<std::array<double, 2>>>();
+    for (int j = 0; j < height; ++j)
+      for (int i = 0; i < width; ++i) {
+        const double x = i + 0.5, y = j + 0.5;
+        bool left = true, right = true;
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+          const auto &a = corners[k], &b = corners[(k + 1) % corners.size()];
+          const double side = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
+          left = left && side >= 0;
+          right = right && side <= 0;
+        }
+        if (left || right) shown[static_cast<std::size_t>(j) * width + i] = piece.at("face").get<int>() + 1;
+      }
+  }
+  return shown;
+}
+
+class InstalledTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new TemporaryFolder;
+    const std::filesystem::path first = folder_->file("first");
+    const Finished done = inFolder(
+        "/", XNEWELL_CMAKE " --install '" XNEWELL_BUILD "' --prefix '" + (first / "usr").string() + "'");
+    ASSERT_EQ(done.status, 0) << done.err;
+    std::filesystem::rename(first, folder_->file("another place"));
+  }
+  static void TearDownTestSuite() {
+    delete folder_;
+    folder_ = nullptr;
+  }
+
+  [[nodiscard]] static std::filesystem::path file(const std::string& name) { return folder_->file(name); }
+  [[nodiscard]] static std::filesystem::path installed(const std::string& path) {
+    return file("another place") / "usr" / path;
+  }
+  /// Runs the installed program in the root folder.
+  [[nodiscard]] static Finished run(const std::string& words) {
+    return inFolder("/", "'" + installed("bin/xnewell").string() + "' " + words);
+  }
+
+ private:
+  inline static TemporaryFolder* folder_ = nullptr;
+};
 
 }  // namespace
 
@@ -146,6 +290,195 @@ TEST_F(InstalledTest, DesktopFilesAreValid) {
   EXPECT_TRUE(entry.status == 0 || entry.status == 127);
   EXPECT_EQ(entry.out, "");
   EXPECT_TRUE(metainfo.status == 0 || metainfo.status == 127) << metainfo.out;
+}
+
+class ManualTest : public InstalledTest {
+ protected:
+  const Told told;
+
+  /// The lines that a command prints, in the folder of the project's data. `xnewell` is the installed one.
+  [[nodiscard]] static Names lines(const std::string& command) {
+    const Finished done =
+        inFolder(XNEWELL_DATA_DIR, "export PATH=\"" + installed("bin").string() + ":$PATH\"; " + command);
+    EXPECT_EQ(done.err, "") << command;
+    return found(done.out, "^([^\\t]+)");
+  }
+  [[nodiscard]] static bool has(const std::string& shell) {
+    return inFolder("/", "command -v " + shell).status == 0;
+  }
+  /// What a shell must propose. `propose` gives its proposals for a line.
+  void expectCompletions(const std::function<Names(const std::string&)>& propose) const {
+    Names first = told.scenes;
+    first.insert(told.commands.begin(), told.commands.end());
+    for (const std::string folder :
+         {"lectures/", "lessons/", "pictures/", "scenes/", "textures/", "square.bpt", "teapot.bpt"})
+      first.insert(folder);
+    // A folder may be shown without its slash, and a name that is a scene's and a file's once.
+    const auto plain = [](const Names& names) {
+      Names all;
+      for (std::string name : names) all.insert(name.substr(0, name.find_last_not_of('/') + 1));
+      return all;
+    };
+    EXPECT_EQ(plain(propose("xnewell ")), plain(first));
+    EXPECT_EQ(propose("xnewell dr"), Names{"draw"});
+    EXPECT_EQ(propose("xnewell draw tea"), (Names{"teapot", "teapot.bpt"}));
+    EXPECT_EQ(propose("xnewell draw scenes/cyc"), propose("xnewell scenes/cyc"));
+    EXPECT_EQ(propose("xnewell draw scenes/cyc").size(), 1u);
+    EXPECT_EQ(propose("xnewell --size 3x4 draw nested"), Names{"nested-cycles"});
+    EXPECT_EQ(propose("xnewell draw teapot --order z"),
+              (Names{"zbuffer16", "zbuffer24", "zbuffer32", "zmean", "zsort"}));
+    EXPECT_EQ(propose("xnewell draw --shade g"), Names{"gouraud"});
+    EXPECT_EQ(propose("xnewell --view mach"), Names{"machbands"});
+    EXPECT_EQ(propose("xnewell --view sideb"), Names{"sidebyside"});
+    EXPECT_EQ(propose("xnewell lesson cy"), Names{"cycles"});
+    EXPECT_EQ(propose("xnewell lecture fi"), Names{"first-hour"});
+    EXPECT_EQ(propose("xnewell --hal"), Names{"--half-vector"});
+    EXPECT_EQ(propose("xnewell draw cycle -o pictures/windo").size(), 1u);
+    EXPECT_EQ(propose("xnewell draw cycle --size 1"), Names{});
+  }
+};
+
+// --help, `scenes` and these tests speak of the same things.
+TEST_F(ManualTest, KnowsItsSources) {
+  EXPECT_TRUE(told.commands.contains("draw") && told.commands.contains("scenes"));
+  EXPECT_TRUE(told.options.contains("--output") && told.options.contains("--version"));
+  EXPECT_GT(told.options.size(), 60u);
+  EXPECT_TRUE(told.scenes.contains("teapot") && told.lessons.contains("cycles"));
+}
+
+// The man page has every command, option, scene and lesson, and nothing else in bold in a place of an option.
+TEST_F(ManualTest, ManPageHasEverything) {
+  const std::string page = replacedAll(textOfFile(installed(kMan)), "\\-", "-");
+  Names entries = found(page, R"(^(?:\\fB-\w\\fR, )?\\fB(--[\w-]+)\\fR)");
+  EXPECT_EQ(entries, told.options);
+  for (const std::string& command : told.commands)
+    EXPECT_TRUE(std::regex_search(page, std::regex{R"(\n\\fBxnewell \[?)" + command + R"(\]?\\fR)"}))
+        << command;
+  for (const Names* names : {&told.scenes, &told.lessons, &told.lectures})
+    for (const std::string& name : *names) EXPECT_THAT(page, HasSubstr("\n\\fB" + name + "\\fR\n"));
+  for (const std::string status : {"0", "1", "2", "130"})
+    EXPECT_THAT(page, HasSubstr("\n\\fB" + status + "\\fR\n"));
+}
+
+// What --help says about an option stands in the man page word for word, and reads there as it was written.
+TEST_F(ManualTest, ManPageReadsAsTheHelp) {
+  if (!has("man")) GTEST_SKIP() << "man is not installed";
+  const Finished read =
+      inFolder("/", "LC_ALL=C.UTF-8 MANWIDTH=2000 MAN_KEEP_FORMATTING= man --warnings -l '" +
+                        installed(kMan).string() + "' | col -bx");
+  EXPECT_EQ(read.status, 0);
+  EXPECT_EQ(read.err, "");
+  const auto blanks = [](const std::string& text) {
+    return std::regex_replace(replacedAll(text, "`", ""), std::regex{"\\s+"}, " ");
+  };
+  const std::string page = blanks(read.out);
+  for (const std::string& line : found(told.help, R"(^  (?:-\w,)?--[\w-]+ +(.+)$)"))
+    EXPECT_THAT(page, HasSubstr(blanks(line)));
+  for (const std::string& line : found(told.list, "^(?:lesson |lecture )?\\S+ +(.+)$"))
+    EXPECT_THAT(page, HasSubstr(blanks(line)));
+}
+
+TEST_F(ManualTest, ManPageSatisfiesMandoc) {
+  if (!has("mandoc")) GTEST_SKIP() << "mandoc is not installed";
+  const Finished lint = inFolder("/", "mandoc -T lint '" + installed(kMan).string() + "'");
+  EXPECT_EQ(lint.out, "");
+  EXPECT_EQ(lint.status, 0);
+}
+
+TEST_F(ManualTest, BashCompletes) {
+  const std::string source = ". '" + installed(kBash).string() + "'; ";
+  const auto typed = [&](const std::string& words) {
+    return lines(source + "COMP_WORDS=(" + words +
+                 ") COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _xnewell; printf "
+                 "'%s\\n' \"${COMPREPLY[@]}\"");
+  };
+  expectCompletions([&](const std::string& line) { return typed(line.ends_with(' ') ? line + "''" : line); });
+  EXPECT_EQ(typed("xnewell draw --order '=' ne"), Names{"newell"});  // as bash splits --order=ne
+  EXPECT_EQ(typed("xnewell draw --cull '='"), (Names{"back", "none"}));
+  EXPECT_EQ(typed("xnewell --order '=' newell draw cyc"), Names{"cycle"});
+}
+
+TEST_F(ManualTest, ZshCompletes) {
+  if (!has("zsh")) GTEST_SKIP() << "zsh is not installed";
+  const std::string tool = std::string{"zsh -f '"} + XNEWELL_DATA_DIR +
+                           "/../tests/x11/install/complete.zsh' '" + installed(kZsh).string() + "' ";
+  const auto typed = [&](const std::string& line) { return lines(tool + "'" + line + "'"); };
+  // zsh proposes the last part of a path.
+  expectCompletions(typed);
+  EXPECT_EQ(typed("xnewell draw --order=ne"), Names{"--order=newell"});
+}
+
+TEST_F(ManualTest, FishCompletes) {
+  if (!has("fish")) GTEST_SKIP() << "fish is not installed";
+  const auto typed = [&](const std::string& line) {
+    return lines("HOME='" + file("home").string() + "' fish --no-config -c \"source '" +
+                 installed(kFish).string() + "'; complete -C '" + line + "'\"");
+  };
+  expectCompletions(typed);
+  EXPECT_EQ(typed("xnewell draw --order=ne"), Names{"--order=newell"});
+}
+
+class ExampleTest : public InstalledTest {
+ protected:
+  static std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+  static std::string source() { return XNEWELL_DATA_DIR "/../x11/example"; }
+};
+
+// The example is built against the installed package with CMake. It finds an order of painting that shows, at
+// every sample, the face that `xnewell draw` finds without any order, and it draws the same picture.
+TEST_F(ExampleTest, PaintsWhatTheProgramShows) {
+  const Finished configured =
+      inFolder("/", XNEWELL_CMAKE " -G Ninja -S '" + source() + "' -B " + quoted(file("example")) +
+                        " -DCMAKE_PREFIX_PATH=" + quoted(installed("")) +
+                        " -DCMAKE_CXX_COMPILER='" XNEWELL_CXX "' -DCMAKE_CXX_FLAGS='" XNEWELL_CXX_FLAGS "'");
+  ASSERT_EQ(configured.status, 0) << configured.err;
+  const Finished built = inFolder("/", XNEWELL_CMAKE " --build " + quoted(file("example")));
+  ASSERT_EQ(built.status, 0) << built.out;
+
+  const std::string program = quoted(file("example/painted")) + ' ';
+  const std::filesystem::path model = file("crossing.obj"), a = file("a.png"), b = file("b.png"),
+                              ids = file("ids.png");
+  std::ofstream{model} << kCrossing;
+  const Finished order = inFolder("/", program + quoted(model) + ' ' + quoted(a));
+  ASSERT_EQ(order.status, 0) << order.err;
+  ASSERT_EQ(run("draw " + quoted(model) + " --size 400x300 --bare -o " + quoted(b)).status, 0);
+  EXPECT_EQ(textOfFile(a), textOfFile(b));
+
+  ASSERT_EQ(run("draw " + quoted(model) + " --size 400x300 --order oracle -o " + quoted(b) + " --ids " +
+                quoted(ids))
+                .status,
+            0);
+  const RgbImage faces = readPng(ids.string());
+  const std::vector<int> shown = painted(order.out, 400, 300);
+  int wrong = 0, seen = 0;
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    const int right = faces.rgb[3 * k] * 65536 + faces.rgb[3 * k + 1] * 256 + faces.rgb[3 * k + 2];
+    wrong += shown[k] != right;
+    seen += right != 0;
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GT(seen, 20'000);
+  EXPECT_GT(std::ranges::count(order.out, '\n'), 7) << "two crossings, and two parts of the dented face";
+
+  const Finished refused = inFolder("/", program + "/nowhere.obj " + quoted(a));
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_EQ(refused.err, "painted: /nowhere.obj: No such file or directory\n");
+}
+
+// pkg-config gives what a compiler needs.
+TEST_F(ExampleTest, BuildsWithPkgConfig) {
+  std::string folder;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator{installed("")})
+    if (entry.path().filename() == "xnewell.pc") folder = entry.path().parent_path().string();
+  ASSERT_NE(folder, "");
+  if (inFolder("/", "command -v pkg-config").status != 0) GTEST_SKIP() << "pkg-config is not installed";
+  // pkg-config writes blanks in paths as "\ ".
+  const Finished done = inFolder("/", "export PKG_CONFIG_PATH='" + folder +
+                                          "' && eval \"'" XNEWELL_CXX "' " XNEWELL_CXX_FLAGS " -std=c++20 '" +
+                                          source() + "/painted.cpp' -o " + quoted(file("painted")) +
+                                          " $(pkg-config --cflags --libs xnewell)\"");
+  ASSERT_EQ(done.status, 0) << done.err;
+  EXPECT_EQ(inFolder("/", quoted(file("painted"))).status, 2);
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -1,71 +1,123 @@
 #include "x11/options/options.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <random>
 #include <string>
 #include <vector>
 
-#include "shading/scene/scene.h"
+#include "geometry/files/data_folder.h"
+#include "geometry/files/input_file.h"
+#include "geometry/files/output_file.h"
+#include "geometry/files/text_file.h"
+#include "shading/color/png.h"
+#include "shading/picture/picture_cache.h"
+#include "shading/scene/scene_file.h"
 #include "shading/scene/settings.h"
+#include "shading/scene/units.h"
+#include "tests/support/seeds.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/x11/support/command_fixture.h"
 #include "tests/x11/support/parsed_options.h"
+#include "x11/command/commands.h"
+#include "x11/options/option_rows.h"
+#include "x11/options/setup_command.h"
+#include "x11/options/shell_words.h"
 
 namespace xnewell::THIS_FILE {
 
-// What options set. Command lines that are refused: tests/stories.
+// What options set, what is refused for each row of a table, and links and set-ups, which are command lines,
+// too. Single command lines that are refused: tests/stories.
 
-// Without arguments the program opens a window on the teapot. Every command's name selects that command.
-TEST(Options, CommandIsTheFirstWordOrView) {
-  EXPECT_EQ(parsed({}).command, Command::View);
-  EXPECT_EQ(parsed({}).scene, "teapot");
-  EXPECT_EQ(parsed({"cycle"}).command, Command::View);
-  EXPECT_EQ(parsed({"cycle"}).scene, "cycle");
-  EXPECT_EQ(parsed({"view", "cycle"}).scene, "cycle");
-  EXPECT_EQ(parsed({"--", "view"}).scene, "view");  // the word after -- is no command
-  for (const CommandRow& row : kCommands) {
-    std::vector<std::string> words{std::string{row.name}};
-    if (row.id == Command::Draw || row.id == Command::Snapshot)
-      words.insert(words.end(), {"a.obj", "-o", "a"});
-    if (row.id == Command::Trace || row.id == Command::Trade || row.id == Command::Extremes ||
-        row.id == Command::Lecture)
-      words.emplace_back("a.obj");
-    if (row.id == Command::Figure) words.insert(words.end(), {"a.obj", "-o", "a.svg"});
-    if (!row.takes.empty()) words.insert(words.end(), {"a.obj", "a.png"});
-    if (row.id == Command::Grade) words.insert(words.end(), {"-o", "a.csv"});
-    if (row.id == Command::Questions) words.emplace_back("a.obj");
-    if (row.id == Command::Explain) words.insert(words.end(), {"a.obj", "1,1"});
-    EXPECT_EQ(parsed(words).command, row.id) << row.name;
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// What the table of options makes of an address.
+Options optionsOf(std::string_view address) {
+  const std::vector<std::string> words = argumentsOf(address);
+  std::vector<const char*> arguments{"xnewell"};
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  return parseOptions(static_cast<int>(arguments.size()), arguments.data()).value();
+}
+
+/// What the scene asks for, in its units, at a small size.
+PictureSettings setupOf(const Scene& scene) {
+  PictureSettings settings = scene.settings;
+  settings.inPixels = false;
+  settings.camera = scene.camera;
+  settings.width = 64, settings.height = 48;
+  return settings;
+}
+
+/// The file that `draw` writes of this set-up, with this note; "" if it has no picture.
+std::string fileOf(const Scene& scene, const PictureSettings& settings, const std::string& note) {
+  try {
+    const CellPlan plan{settings.table.kind};
+    const Picture picture = makePicture(scene, settings, plan[Cell::Well]);
+    return encodePng(picture.image(), picture.palette(plan), note);
+  } catch (const std::exception&) {
+    return "";
   }
 }
 
-// Every name of every table of choices selects its row.
-TEST(Options, ChoicesAreTheirTables) {
-  for (const ShadingRow& r : kShadings)
-    EXPECT_EQ(drawn({"--shade", std::string{r.name}}).picture.shading, r.id);
-  for (const OrderRow& r : kOrders) EXPECT_EQ(drawn({"--order", std::string{r.name}}).picture.order, r.id);
-  for (const auto& r : kTables) EXPECT_EQ(drawn({"--table", std::string{r.name}}).picture.table.kind, r.id);
-  for (const auto& r : kPicks) EXPECT_EQ(drawn({"--pick", std::string{r.name}}).picture.table.pick, r.id);
-  EXPECT_EQ(parsed({"view", "--fill", "x11"}).fill, Fill::XFillPolygon);
-  EXPECT_EQ(parsed({"view", "--fill", "scanline"}).fill, Fill::Scanline);
-  for (const ViewRow& r : kViews) {
-    if (r.hasSheet()) {
-      EXPECT_EQ(drawn({"--view", std::string{r.name}}).view, r.id);
-    }
+Value randomValue(const Setting& setting, std::mt19937& rng) {
+  const auto number = [&] {
+    const double low = std::max(setting.range.low, -4.0), high = std::min(setting.range.high, 4.0);
+    return std::uniform_real_distribution{low, high}(rng);
+  };
+  for (;;) {
+    Value value = number();
+    if (setting.field.kind == ValueKind::Triple) value = glm::dvec3{number(), number(), number()};
+    if (setting.field.kind == ValueKind::Whole) value = setting.range.low + static_cast<double>(rng() % 200);
+    if (setting.field.kind == ValueKind::Flag) value = static_cast<double>(rng() % 2);
+    if (setting.field.kind == ValueKind::Choice)
+      value = static_cast<double>(rng() % setting.field.choices.size());
+    if (setting.key == "table.hue") value = glm::dvec3{1.0, std::abs(number()) / 4, 0.5};
+    if (setting.key == "table.shades") value = 30.0 + static_cast<double>(rng() % 200);
+    if (allows(setting, value)) return value;
   }
-  EXPECT_EQ(drawn({"--cull", "back"}).picture.cull, Cull::Back);
-  EXPECT_EQ(drawn({"--cull", "none"}).picture.cull, Cull::Keep);
-  EXPECT_FALSE(drawn({"--sided", "one"}).picture.light.twoSided);
-  EXPECT_TRUE(drawn({"--sided", "two"}).picture.light.twoSided);
-  EXPECT_EQ(drawn({"--bits", "8"}).picture.table.bits, 8);
-  EXPECT_EQ(drawn({"--bits", "16"}).picture.table.bits, 16);
 }
 
-// Without options, the settings are those of a default-constructed value: the defaults that --help prints.
-TEST(Options, DefaultsAreThoseOfTheSettings) {
-  EXPECT_EQ(drawn({}).picture, PictureSettings{});
-  EXPECT_EQ(drawn({}).divisions, kDefaultDivisions);
-  EXPECT_FALSE(drawn({}).size.has_value());
+/// A random camera, or the scene's own turned, or another projection.
+CameraSettings randomCamera(const Scene& scene, const PictureSettings& settings, std::mt19937& rng) {
+  const Camera placed = placeCamera(scene, settings.camera, 4.0 / 3);
+  CameraSettings camera = settings.camera;
+  switch (rng() % 6) {
+    case 0:
+      return moved(camera, placed, scene, 20.0, -7.5, 1.3);
+    case 1:  // as the key P does
+      camera.parallel = !camera.parallel && !camera.oblique;
+      camera.oblique.reset(), camera.height.reset();
+      return camera;
+    case 2:
+      camera = {}, camera.oblique = Oblique{0.5, 30};
+      return completed(camera, settings.camera);
+    case 3:
+      camera = {}, camera.vpn = glm::dvec3{0.3, -1, 0.4}, camera.front = 0.25;
+      return completed(camera, settings.camera);
+    case 4:
+      camera = {}, camera.parallel = true, camera.height = 1.7, camera.vup = glm::dvec3{0.1, 0.2, 1};
+      return completed(camera, settings.camera);
+    default:
+      return camera;
+  }
 }
+
+/// A picture that carries a note.
+std::string picture(const TemporaryFolder& folder, const std::string& note,
+                    const std::string& name = "a.png") {
+  return folder.write(name, encodePng(IndexImage{3, 2, 7}, Palette{}, note));
+}
+
+using SetupCommandTest = CommandTest;
+
+}  // namespace
 
 // Each option sets its own setting and no other.
 TEST(Options, SetOneSettingEach) {
@@ -107,37 +159,6 @@ TEST(Options, SetOneSettingEach) {
   only({"--back", "-2"}, [](auto& s) { s.camera.back = -2; });
 }
 
-// A flag ends what a scene asks for with =false. Nothing but true and false is taken.
-TEST(Options, FlagsMayBeFalse) {
-  PictureSettings scene;
-  scene.dither = true;
-  const std::vector<std::string> words{"draw", "teapot", "-o", "no.png"};
-  const auto dithered = [&](const std::string& word) {
-    std::vector<std::string> all = words;
-    if (!word.empty()) all.push_back(word);
-    return parsed(all, scene).picture.dither;
-  };
-  EXPECT_TRUE(dithered("") && dithered("--dither") && dithered("--dither=true"));
-  EXPECT_FALSE(dithered("--dither=false"));
-  EXPECT_EQ(complaint({"--dither=perhaps"}), "--dither: 'perhaps' is not true or false");
-}
-
-// --keep takes names of what the scene may set.
-TEST(Options, KeepsPartsOfTheScene) {
-  EXPECT_EQ(drawn({"--ka", "1", "--keep", "ka,n"}).keep, (std::vector<std::string>{"ka", "n"}));
-  EXPECT_EQ(complaint({"--keep", "kq"}),
-            "--keep: 'kq' is not names of these, with commas between them: ambient, lights, ka, kd, ks, n");
-}
-
-// What an option needs may be said by the scene: a range goes with its linear attenuation.
-TEST(Options, GoWithWhatASceneAsksFor) {
-  PictureSettings scene;
-  scene.light.lightPosition = glm::dvec3{1, 2, 3}, scene.light.attenuation = Attenuation::Linear;
-  const std::vector<std::string> words{"draw", "teapot", "-o", "no.png", "--range", "3"};
-  EXPECT_EQ(parsed(words, scene).picture.light.range, 3);
-  EXPECT_THROW((void)parsed(words), UsageError);
-}
-
 // Settings of light and surfaces replace the scene's own; each says which.
 TEST(Options, ReplaceTheScenes) {
   std::vector<std::string_view> replaced;
@@ -156,23 +177,6 @@ TEST(Options, ReplaceTheScenes) {
   EXPECT_EQ(replaced, all);
 }
 
-TEST(Options, SetWhatIsNotInThePicture) {
-  EXPECT_EQ(drawn({"--size", "8192x1"}).size, (glm::ivec2{8192, 1}));
-  EXPECT_EQ(drawn({"--divisions", "256"}).divisions, 256);
-  EXPECT_TRUE(drawn({"--stats"}).stats);
-  EXPECT_EQ(drawn({"--ids", "i.png"}).ids, "i.png");
-  EXPECT_EQ(parsed({"draw", "--output=-x.png", "--", "-s.obj"}).output, "-x.png");
-  EXPECT_EQ(parsed({"draw", "--output=-x.png", "--", "-s.obj"}).scene, "-s.obj");
-  EXPECT_EQ(parsed({"visuals", "--visual", "TrueColor24"}).visual, "TrueColor24");
-  EXPECT_TRUE(parsed({"snapshot", "teapot", "-o", "a", "--whole-window"}).wholeWindow);
-  EXPECT_EQ(drawn({"--view", "machbands", "--scanline", "8191"}).window.scanline, 8191);
-  EXPECT_FALSE(drawn({"--view", "machbands"}).window.scanline.has_value());
-  EXPECT_EQ(drawn({"--view", "picture"}).picture, PictureSettings{});
-  EXPECT_EQ(parsed({"snapshot", "teapot", "-o", "a", "--colormap", "shared"}).colormap, MapOwner::Shared);
-  EXPECT_EQ(parsed({"visuals", "--colormap", "shared"}).colormap, MapOwner::Shared);
-  EXPECT_TRUE(parsed({"view", "--nearest"}).nearest);
-}
-
 // If only one of Ia and Ip is set, the other gives way, so that their sum stays within 1.
 TEST(Options, IntensitiesPushEachOther) {
   EXPECT_EQ(drawn({"--ia", "1"}).picture.light.Ip, 0.0);
@@ -180,19 +184,236 @@ TEST(Options, IntensitiesPushEachOther) {
   EXPECT_EQ(drawn({"--ip", "0.75"}).picture.light.Ia, 0.2);
 }
 
-// Effects on the palette are read as they are written.
-TEST(Options, EffectsChangeWhatIsStored) {
-  const auto only = [](const std::vector<std::string>& words, const PaletteEffects& expected) {
-    EXPECT_EQ(drawn(words).effects, expected) << words[0];
-    EXPECT_EQ(drawn(words).picture, PictureSettings{}) << words[0];
+// Each option either works with all commands that draw a scene, or says where it works: it names commands
+// that there are, or options that there are. There it is accepted, and with every other command it is refused
+// in one line that names these places.
+TEST(Options, WorkWhereTheirRowSays) {
+  std::vector<std::string> names;
+  for (const OptionRow& row : optionRows()) names.push_back(row.name);
+  int refusals = 0;
+  for (const OptionRow& row : optionRows()) {
+    if (row.name == "--help" || row.name == "--version") continue;
+    const auto among = [&](std::string_view word) {
+      return std::ranges::any_of(row.places, [&](std::string_view place) {
+        return place == word || place.starts_with(std::string{word} + ' ');
+      });
+    };
+    for (const std::string_view place : row.places) {
+      const std::string first{place.substr(0, place.find(' '))};
+      EXPECT_TRUE(std::ranges::find(names, first) != names.end() ||
+                  std::ranges::find(kCommands, first, &CommandRow::name) != kCommands.end())
+          << row.name << ": " << place;
+    }
+    const auto alone = std::ranges::count_if(row.places, [](auto place) { return place.starts_with('-'); });
+    for (const CommandRow& command : kCommands) {
+      std::vector<std::string> words{std::string{command.name}};
+      if (command.draws || command.id == Command::Lesson) words.emplace_back("teapot");
+      if (command.id == Command::Explain) words.emplace_back("1,1");
+      if (!command.takes.empty()) words.emplace_back("handed-in");
+      if (row.name != "--output" &&
+          (command.id == Command::Draw || command.id == Command::Snapshot || command.id == Command::Grade))
+        words.insert(words.end(), {"-o", "no.png"});
+      if (row.name != "--output" && command.id == Command::Figure)
+        words.insert(words.end(), {"-o", "no.svg"});
+      words.push_back(row.name);
+      if (row.takes != Takes::Nothing) words.push_back(row.words.empty() ? "1" : row.words.front());
+      const std::string said = complaintAll(words);
+      const std::string only =
+          row.shown() + (row.places.empty() ? " does not work with " : " works only with ");
+      if (row.places.empty() ? command.draws : among(command.name) || alone > 0) continue;
+      if (said.starts_with(row.name + ": ")) continue;  // its value is refused first
+      EXPECT_TRUE(said.starts_with(only)) << said;
+      for (const std::string_view place : row.places) EXPECT_NE(said.find(place), std::string::npos) << said;
+      ++refusals;
+    }
+  }
+  EXPECT_GT(refusals, 150);
+}
+
+// A view refuses options that do not apply to it, and a size too small for its words.
+TEST(Options, RefuseWhatAViewCannotHeed) {
+  for (const ViewRow& row : kViews) {
+    if (row.id == View::Picture || !row.hasSheet()) continue;
+    const std::string name{row.name}, view = "--view " + name;
+    const std::string width = std::to_string(row.least.x), height = std::to_string(row.least.y);
+    EXPECT_EQ(complaint({"--view", name, "--size", width + "x" + height}), "");
+    for (const std::string& small :
+         {std::to_string(row.least.x - 1) + "x8192", "8192x" + std::to_string(row.least.y - 1)})
+      EXPECT_EQ(complaint({"--view", name, "--size", small}),
+                view + " needs a --size of at least " + width + "x" + height);
+    EXPECT_EQ(complaint({"--view", name}), "") << "the size without --size is too small";
+    EXPECT_EQ(complaintAll({"--view", name}), "");
+    EXPECT_EQ(complaintAll({"--view", name, "--size", "799x540"}),
+              view + " needs a --size of at least 800x540");
+    EXPECT_EQ(complaintAll({"trace", "teapot", "--view", name}),
+              "--view works only with view, draw and snapshot");
+    const std::string more =
+        view + " is not just the picture: --stats, --errors and --ids work only with --view picture";
+    EXPECT_EQ(complaint({"--view", name, "--ids", "i.png"}), more);
+    EXPECT_EQ(complaint({"--view", name, "--stats"}), more);
+    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}), "");
+    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--fill", "x11", "--view", name}),
+              view + " uses the scanline filler: leave out --fill x11");
+  }
+  // The others are drawn in the window only.
+  int inTheWindow = 0;
+  for (const ViewRow& row : kWindowViews) {
+    const std::string name{row.name};
+    if (row.hasSheet()) continue;
+    ++inTheWindow;
+    EXPECT_EQ(complaintAll({"--view", name}), "");
+    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}), "");
+    EXPECT_EQ(complaint({"--view", name}),
+              "--view " + name + " is a view of the window: use view, or snapshot --whole-window");
+  }
+  EXPECT_GE(inTheWindow, 4);
+}
+
+TEST(Address, IsACommandLine) {
+  EXPECT_THAT(argumentsOf(""), IsEmpty());
+  EXPECT_THAT(argumentsOf("teapot&view=pixel&pixel=288,158&shade=phong"),
+              ElementsAre("teapot", "--view=pixel", "--pixel=288,158", "--shade=phong"));
+  EXPECT_THAT(argumentsOf("lesson&cycles&step=3"), ElementsAre("lesson", "cycles", "--step=3"));
+  EXPECT_THAT(argumentsOf("view=colours"), ElementsAre("--view=colours"));
+  EXPECT_THAT(argumentsOf("a%26b%20c.obj&dither&%zz%2"), ElementsAre("a&b c.obj", "--dither", "--%zz%2"));
+
+  const Options pixel = optionsOf("teapot&view=pixel&pixel=288,158&shade=phong");
+  EXPECT_EQ(pixel.window.view, View::Pixel);
+  EXPECT_EQ(pixel.window.pixel, (glm::ivec2{288, 158}));
+  EXPECT_EQ(optionsOf("lesson&cycles&step=3").window.step, 3);
+  EXPECT_THROW((void)optionsOf("teapot&view=pixels"), UsageError);
+}
+
+// The link that `C` copies shows what its command shows, without the size of the picture and its file.
+TEST(Address, IsThatOfACommand) {
+  EXPECT_EQ(addressOf("xnewell snapshot teapot --size 1024x768 --whole-window --view pixel --pixel 288,158 "
+                      "--shade phong -o picture.png"),
+            "teapot&size=1024x768&view=pixel&pixel=288,158&shade=phong");
+  EXPECT_EQ(addressOf("xnewell draw cycle --size 100x80 --dither --eye=-3,4,9 -o picture.png"),
+            "cycle&dither&eye=-3,4,9");
+  EXPECT_EQ(addressOf("xnewell snapshot teapot --size 1600x1080 --scale 2"), "teapot");
+  EXPECT_EQ(addressOf("xnewell lesson 'my own.json' --step 2"), "lesson&my%20own.json&step=2");
+  EXPECT_EQ(addressOf("xnewell snapshot teapot --beside 'order=none shade=phong'"),
+            "teapot&beside=order%3Dnone%20shade%3Dphong");
+  EXPECT_EQ(addressOf("xnewell 'not ended"), "");
+  for (const char* const command :
+       {"xnewell snapshot 'a&b=c%20.obj' --beside 'order=none' --dither --eye=-3,4,9"}) {
+    const std::vector<std::string> words = argumentsOf(addressOf(command));
+    EXPECT_THAT(words, ElementsAre("a&b=c%20.obj", "--beside=order=none", "--dither", "--eye=-3,4,9"));
+  }
+}
+
+// A page that begins with a lesson holds the lesson's own files beside each other, and no byte of them ends
+// the script.
+TEST(Address, OfAPageWithItsFiles) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "a/b");
+  writeFile(folder.file("a/<!--.json"), "{}");
+  writeFile(folder.file("a/b/x.obj"), "v 0 0 0\n");
+  const std::set<std::string> read{placeOf(folder.file("a/<!--.json")), placeOf(folder.file("a/b/x.obj")),
+                                   placeOf(dataFolder() / "scenes/cycle.json")};
+  Options options;
+  options.command = Command::Lesson;
+  options.scene = folder.file("a/<!--.json");
+  options.given = {"scene", "--page", "--step"};
+  options.values = {options.scene, "out.html", "3"};
+  const std::string empty = readTextFile(XNEWELL_DATA_DIR "/../x11/browser/page.html");
+  const std::string page = pageThatBeginsWith(options, read, empty);
+  EXPECT_THAT(page, HasSubstr(R"(const begin = {"address":"lesson&%3C%21--.json&step=3",)"
+                              R"("files":{"\u003c!--.json":"e30=","b/x.obj":"diAwIDAgMAo="}};)"));
+  EXPECT_THROW((void)pageThatBeginsWith(options, read, "<html>"), std::runtime_error);
+}
+
+// The command draws the set-up again, byte for byte: for any settings that may be chosen in a window, any
+// camera, scenes with lights, materials and textures of their own, and set-ups from a file.
+TEST_F(SetupCommandTest, DrawsTheSameFile) {
+  const std::string setup = write("setup.json", R"({"scene": "lamp", "without": ["kd"],
+    "camera": {"parallel": true}, "shading": {"method": "gouraud", "kd": 0.5, "dither": true,
+    "constant_v": true, "attenuation": "inverse"}})");
+  const std::string worn =
+      write("worn.json", R"({"scene": "teapot", "divisions": 3, "texture": ")" XNEWELL_DATA_DIR
+                         R"(/textures/checks.png", "shading": {"method": "phong", "light_at": [4, -5, 6]}})");
+  const std::string far = write("far.obj", "v 0 0 0\nv 3e9 0 0\nv 0 3e9 1e9\nf 1 2 3\n");
+  const std::string half =
+      write("half.json", R"({"materials": {"m": {"ka": 0.5, "kd": 0.6, "ks": 0.7, "n": 9}},
+    "objects": [{"solid": "sphere", "material": "m"}, {"solid": "cube", "move": [1.5, 0, 0]}]})");
+  std::mt19937 rng{11};
+  int drawn = 0, kept = 0, lit = 0;
+  for (const std::string& name :
+       {setup, worn, far, half, std::string{"teapot"}, std::string{"colored-lights"},
+        std::string{"textured-cube"}, std::string{"spotlight"}, std::string{"hues"}})
+    for (int trial = 0; trial < (kSanitized ? 4 : 16); ++trial) {
+      Scene scene = readScene(name, 4);
+      PictureSettings settings = setupOf(scene);
+      std::vector<Override> overrides;
+      for (const Setting& setting : settingRows()) {
+        if (setting.key == "fill" || rng() % 4 != 0) continue;
+        if (setting.key == "Ia" && !scene.light.lights.empty()) continue;  // their sum must not exceed 1
+        overrides.push_back({&setting, randomValue(setting, rng)});
+        if (!setting.replaces.empty() && rng() % 2) strip(scene, setting.replaces);
+      }
+      if (!applyOverrides(settings, overrides)) continue;
+      if (scene.light.lights.empty() && scene.light.Ia && largest(*scene.light.Ia) + settings.light.Ip > 1)
+        continue;
+      settings.camera = randomCamera(scene, settings, rng);
+      const std::string command = SetupCommand{scene}.of(settings);
+      // The file carries the command, unless that rests on a second file.
+      const std::string expected = fileOf(scene, settings, scene.origin.texture.empty() ? command : "");
+      if (expected.empty()) continue;
+      SCOPED_TRACE(command);
+      const Finished end = runProgram(commandWords(command, file("out.png")));
+      ASSERT_EQ(end.status, 0) << end.err;
+      ASSERT_TRUE(contents(file("out.png")) == expected);
+      ++drawn;
+      kept += command.find(" --keep ") != std::string::npos;
+      lit += command.find(" --light") != std::string::npos;
+    }
+  EXPECT_GT(drawn, kSanitized ? 15 : 60);
+  EXPECT_GT(kept, kSanitized ? -1 : 0);  // few trials may have none
+  EXPECT_GT(lit, kSanitized ? 1 : 10);
+}
+
+// A picture of a lesson opens the lesson, and only a window can show one.
+TEST(CarriedSetup, APictureOfALessonOpensIt) {
+  const TemporaryFolder folder;
+  const std::string own = folder.write("my own.json", ""),
+                    file = picture(folder, lessonNote("cycles", {1700, 1300}, 2, 3)),
+                    ofOwn = picture(folder, lessonNote("my own.json", {900, 700}, 1, 2), "b.png"),
+                    ofNone = picture(folder, lessonNote("no.json", {900, 700}, 1, 2), "c.png");
+  const Options opened = parsed({file});
+  EXPECT_EQ(opened.command, Command::Lesson);
+  EXPECT_EQ(opened.scene, "cycles");
+  EXPECT_EQ(opened.window.step, 3);
+  EXPECT_EQ(opened.size, (glm::ivec2{1700, 1300}));
+  EXPECT_EQ(opened.scale, 2);
+  EXPECT_EQ(parsed({file, "--step", "1"}).window.step, 1);
+  EXPECT_EQ(parsed({ofOwn}).scene, own);
+  EXPECT_EQ(complaintAll({"draw", file, "-o", "no.png"}),
+            file + ": it shows a lesson, which opens in a window: xnewell " + file);
+  EXPECT_EQ(complaintAll({file, "--shade", "flat"}),
+            file + ": --shade does not work with lesson: the lesson decides how its steps are drawn");
+  EXPECT_EQ(complaintAll({"draw", ofNone, "-o", "no.png"}),
+            ofNone + ": the scene of the set-up that it carries, no.json, is not there");
+}
+
+// A scene's file is found from the picture's folder, beside the picture although its folder has changed, and
+// also if its name needs quotes.
+TEST(CarriedSetup, FindsTheScenesFile) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "sub");
+  const auto scene = [&](const std::string& name) {
+    return parsed({"draw", picture(folder, "xnewell draw " + name + " -o picture.png"), "-o", "no.png"})
+        .scene;
   };
-  only({"--store", "brief"}, {.stored = TableKind::Brief});
-  only({"--turn", "-120.5"}, {.hueTurn = -120.5});
-  only({"--gamma", "2.2"}, {.gamma = 2.2});
-  only({"--bend", "100,12.5"}, {.bend = CurvePoint{100, 12.5}});
-  only({"--rotate", "-30"}, {.rotate = -30});
-  only({"--lit", "255"}, {.lit = 255});
-  EXPECT_EQ(drawn({"--view", "colours", "--cell", "0"}).window.cell, 0);
+  const std::string below = folder.write("sub/it.obj", ""), quoted = folder.write("it's one.obj", "");
+  EXPECT_EQ(scene("sub/it.obj"), below);
+  EXPECT_EQ(scene(below), below);
+  EXPECT_EQ(scene("'it'\\''s one.obj'"), quoted);
+  const std::string odd = "it's\n\t\x1b[2J\\\xc3\xa9.obj";
+  EXPECT_EQ(scene(xnewell::quoted(odd)), folder.write(odd, ""));
+  const std::string beside = folder.write("it.obj", "");
+  EXPECT_EQ(scene("sub/it.obj"), below);
+  EXPECT_EQ(scene("elsewhere/it.obj"), beside);
 }
 
 }  // namespace xnewell::THIS_FILE

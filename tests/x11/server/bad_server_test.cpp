@@ -7,14 +7,15 @@
 #include <chrono>
 #include <fstream>
 #include <functional>
-#include <iomanip>
-#include <iostream>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 
 #include "tests/support/seeds.h"
-#include "tests/x11/support/proxied_program.h"
+#include "tests/x11/support/command_fixture.h"
+#include "tests/x11/support/watched_viewer.h"
+#include "tests/x11/support/x_proxy.h"
 
 #include <X11/Xproto.h>
 #include <X11/keysym.h>
@@ -22,11 +23,103 @@
 namespace xnewell::THIS_FILE {
 
 // What the user sees of servers that refuse, die or hang: the right picture, or a message and status 1. There
-// is never a wrong picture, half a file or a program that does not end.
+// is never a wrong picture, half a file or a program that does not end. And how often the program waits for a
+// server, which is what a slow connection costs.
 
 namespace {
 
 using testing::HasSubstr;
+
+const std::string kTeapot = "teapot --divisions 2", kSmall = " --size 120x90";
+constexpr std::chrono::seconds kEnough{90};
+
+/// What the program says when its connection ends and the server answers another one.
+std::string cutAt(const std::string& display) {
+  return "xnewell: the X server of display '" + display +
+         "' still runs, but has ended our connection, as xkill makes it do\n";
+}
+
+XServer serverFor(int depth) { return XServer::xvfb(depth, 320, 240); }
+
+/// A way to use the program, from its start to its end.
+struct Use {
+  std::string name;
+  std::vector<std::string> arguments;
+  std::string file = "";  ///< what it writes
+  /// What the user does meanwhile, as long as `hoping` is true.
+  std::function<void(const XServer&, const std::function<bool()>& hoping)> act = [](auto&&...) {};
+};
+
+Use visuals() { return {"visuals", {"visuals"}}; }
+
+/// The server fills, which makes more kinds of request and sends the picture first.
+Use snapshot(const TemporaryFolder& folder, const std::string& more = "--divisions 2 --fill x11" + kSmall) {
+  std::vector<std::string> arguments = words("snapshot teapot " + more);
+  arguments.insert(arguments.end(), {"-o", folder.file("picture.png")});
+  return {"snapshot", arguments, folder.file("picture.png")};
+}
+
+/// As soon as there is a window: a new table, a new size, a new hue, and the close button.
+Use view() {
+  return {"view", words("view " + kTeapot + kSmall), "", [](const XServer& server, const auto& hoping) {
+            try {
+              const WatchedWindow window{server, 0, hoping};
+              const ErrorTrap trap{window.display()};  // the window may be gone
+              window.moveTo(60, 45);
+              window.type("T");
+              window.resize(140, 100);
+              window.type("H");
+              window.askToClose();
+            } catch (const std::runtime_error&) {
+              EXPECT_FALSE(hoping());
+            }
+          }};
+}
+
+/// The number of segments of System V shared memory that a process made and that still exist.
+std::ptrdiff_t segmentsOf(pid_t maker) {
+  std::ifstream table{"/proc/sysvipc/shm"};
+  std::string line;
+  std::getline(table, line);
+  std::ptrdiff_t count = 0;
+  for (long key, id, size, made; std::getline(table, line);) {
+    std::string permissions;
+    if (std::istringstream{line} >> key >> id >> permissions >> size >> made) count += made == maker;
+  }
+  return count;
+}
+
+/// How a use of the program went on the proxy's server.
+struct Course {
+  Finished end{};
+  bool carriedOut = false;
+  std::vector<XRequest> requests{}, answered{};
+  std::chrono::milliseconds toEnd{};  ///< from the interrupt to the end
+};
+
+/// Runs the program to its end. If it is stalled, it is interrupted.
+Course runThrough(const Use& use, const XServer& server, XProxy& proxy,
+                  const std::optional<XFaultPlan>& plan = {}) {
+  std::filesystem::remove(use.file);
+  proxy.begin(plan);
+  RunningProgram program{use.arguments, proxy.name()};
+  const pid_t pid = program.pid();
+  const bool stalls = plan && plan->fault == XFault::Stalled;
+  const auto hoping = [&] { return program.running() && !(stalls && proxy.carriedOut()); };
+  use.act(server, hoping);
+  if (stalls && comesTrue([&] { return !hoping(); })) program.signal(SIGINT);
+  const auto asked = std::chrono::steady_clock::now();
+  Course course{.end = program.wait(kEnough)};
+  course.toEnd =
+      std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - asked);
+  course.carriedOut = proxy.carriedOut();
+  course.requests = proxy.requests();
+  course.answered = proxy.answered();
+  // The shared memory and the window go only when the server has let them go too.
+  EXPECT_TRUE(comesTrue([&] { return segmentsOf(pid) == 0; }));
+  EXPECT_TRUE(comesToShowNone(openDisplay(server.name()).get()));
+  return course;
+}
 
 /// The different requests, in the order of their first occurrence.
 std::vector<XRequest> kinds(const std::vector<XRequest>& requests) {
@@ -34,11 +127,6 @@ std::vector<XRequest> kinds(const std::vector<XRequest>& requests) {
   for (const XRequest& r : requests)
     if (std::ranges::find(different, r) == different.end()) different.push_back(r);
   return different;
-}
-
-std::string contents(const std::string& file) {
-  std::ifstream in{file, std::ios::binary};
-  return {std::istreambuf_iterator<char>{in}, {}};
 }
 
 /// True if every line is a message of the program.
@@ -52,21 +140,17 @@ bool linesAreOurs(const std::string& text) {
 /// A good server, and a proxy that makes it a bad one.
 class BadServer : public testing::TestWithParam<int> {
  protected:
-  /// Runs `use` once for each plan, and prints how each ended.
-  void sweep(const std::string& fault, const Use& use,
-             const std::function<std::vector<XFaultPlan>(const Course&)>& plans,
+  /// Runs `use` once for each plan.
+  void sweep(const Use& use, const std::function<std::vector<XFaultPlan>(const Course&)>& plans,
              const std::function<void(const XFaultPlan&, const Course&)>& judge) {
     const Course good = runThrough(use, server, proxy);
     ASSERT_EQ(good.end.status, 0) << good.end.err;
     ASSERT_EQ(good.end.err, "");
     const std::string file = contents(use.file);
-    std::map<XRequest, std::string> outcomes;
     const std::vector<XFaultPlan> all = plans(good);
     for (const XFaultPlan& plan : someOf(all, 6)) {
       SCOPED_TRACE(proxy.nameOf(plan.request) + ", occurrence " + std::to_string(plan.occurrence));
       const Course course = runThrough(use, server, proxy, plan);
-      outcomes[plan.request] += (plan.occurrence == 1 ? "  first: " : "  last: ") +
-                                (course.carriedOut ? std::to_string(course.end.status) : "not reached");
       // The window's later requests depend on which events arrive together.
       EXPECT_TRUE(course.carriedOut || plan.occurrence > 1);
       EXPECT_TRUE(linesAreOurs(course.end.err)) << course.end.err;
@@ -81,12 +165,6 @@ class BadServer : public testing::TestWithParam<int> {
       }
       if (course.carriedOut) judge(plan, course);
     }
-    std::cout << fault << ": xnewell " << use.name << ", depth " << GetParam() << ", " << all.size()
-              << " runs; how often asked, and exit statuses\n";
-    for (const XRequest& r : kinds(good.requests))
-      if (outcomes.contains(r))
-        std::cout << "  " << std::left << std::setw(26) << proxy.nameOf(r) << std::right << std::setw(4)
-                  << std::ranges::count(good.requests, r) << outcomes[r] << '\n';
   }
 
   XServer server = serverFor(GetParam());
@@ -117,6 +195,9 @@ testing::Matcher<const std::string&> names(const XProxy& proxy, const XRequest& 
       HasSubstr("request " + std::to_string(request.major) + "." + std::to_string(request.minor) + ": "));
 }
 
+const std::string kDivided = "teapot --divisions 4";
+constexpr Rect kSeen{0, 0, 1024, 724};  ///< the window of 1024 x 768 but for its status line
+
 }  // namespace
 
 // A refused request ends in the right output, or in status 1 and a message that names the request.
@@ -134,7 +215,7 @@ TEST_P(BadServer, RefusedRequestsAreNamed) {
   std::set<std::string> fatal;
   for (const Use& use : {visuals(), snapshot(folder), view()}) {
     SCOPED_TRACE(use.name);
-    sweep("refused", use, plans, [&](const XFaultPlan& plan, const Course& course) {
+    sweep(use, plans, [&](const XFaultPlan& plan, const Course& course) {
       EXPECT_THAT(course.end.status, testing::AnyOf(0, 1));
       if (course.end.status == 0) {
         EXPECT_TRUE(
@@ -174,9 +255,9 @@ TEST_P(BadServer, CutConnectionsAreTold) {
                   course.end.err.find("cannot open") != std::string::npos);
     };
     sweep(
-        "cut", use, [](const Course& good) { return at(XFault::CutRequest, good.requests, good); }, judge);
+        use, [](const Course& good) { return at(XFault::CutRequest, good.requests, good); }, judge);
     sweep(
-        "cut in the reply", use,
+        use,
         [](const Course& good) {
           std::vector<XRequest> answered = good.answered;
           answered.push_back(kConnectionSetup);
@@ -191,7 +272,7 @@ TEST_P(BadServer, StalledConnectionsCanBeInterrupted) {
   for (const Use& use : {visuals(), snapshot(folder), view()}) {
     SCOPED_TRACE(use.name);
     sweep(
-        "stalled", use,
+        use,
         [](const Course& good) {
           std::vector<XRequest> answered = good.answered;
           answered.push_back(kConnectionSetup);
@@ -287,6 +368,180 @@ TEST_P(BadServer, RefusalsAreToldInTheWindow) {
                     "xnewell: the X server refused requests (1 in all): what was shown may be wrong\n"
                   : "");
     EXPECT_TRUE(window.goes());
+  }
+}
+
+// A connection that ends while a picture is being sent is told like any other. The picture is larger than the
+// system takes at once.
+TEST(DyingServer, EndsWhileAPictureIsSent) {
+  const XServer server = XServer::xvfb(24, 320, 240, {"-extension", "MIT-SHM"});
+  XProxy proxy{server};
+  const TemporaryFolder folder;
+  const Use use = snapshot(folder, "--divisions 2 --size 1600x1200");
+  for (const int occurrence : {1, 100}) {
+    const Course course = runThrough(
+        use, server, proxy,
+        XFaultPlan{.fault = XFault::CutRequest, .request = {X_PutImage}, .occurrence = occurrence});
+    EXPECT_EQ(course.carriedOut, occurrence == 1);
+    EXPECT_EQ(course.end.status, course.carriedOut ? 1 : 0);
+    EXPECT_EQ(course.end.err.empty(), !course.carriedOut);
+    EXPECT_EQ(folder.entries(), course.carriedOut ? 0 : 1);
+  }
+}
+
+// A connection that ends just as the program writes is told like any other, although the write raises
+// SIGPIPE.
+TEST(DyingServer, EndsWhileWeWrite) {
+  const XServer server = serverFor(8);
+  XProxy proxy{server};
+  const TemporaryFolder folder;
+  // About a megabyte of requests, several times what fits between the two: when the first polygon arrives,
+  // the program has not yet written the last one.
+  const Use use = snapshot(folder, "--fill x11 --divisions 30" + kSmall);
+  const Course course = runThrough(use, server, proxy, XFaultPlan{XFault::Deaf, {X_FillPoly}});
+  EXPECT_TRUE(course.carriedOut);
+  EXPECT_EQ(course.end.status, 1);
+  EXPECT_EQ(course.end.err, cutAt(proxy.name()));  // the proxy still answers
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+// A server that ends in the middle of a frame, between two frames, or while the user drags, ends the program
+// with one line and status 1.
+TEST(DyingServer, EndsTheWindowAtAnyTime) {
+  enum class When { Presenting, Between, Dragging };
+  for (const When when : {When::Presenting, When::Between, When::Dragging}) {
+    SCOPED_TRACE(static_cast<int>(when));
+    XServer server = serverFor(8);
+    XProxy proxy{server};
+    if (when == When::Presenting) proxy.begin(XFaultPlan{XFault::Stalled, {X_CopyArea}});
+    RunningProgram program{words("view " + kTeapot + kSmall), proxy.name()};
+    if (when == When::Presenting) {
+      ASSERT_TRUE(comesTrue([&] { return proxy.carriedOut(); }));
+    } else {
+      const WatchedWindow window{server};
+      window.moveTo(60, 45);
+      window.button(1, when == When::Dragging);
+      for (int i = 0; when == When::Dragging && i < 300; ++i) window.moveTo(20 + i % 80, 45);
+    }
+    proxy.serverStops();
+    server.stop();
+    const Finished end = program.wait(kEnough);
+    EXPECT_EQ(end.status, 1);
+    EXPECT_EQ(end.err, "xnewell: lost the connection to the X server of display '" + proxy.name() + "'\n");
+  }
+}
+
+// A program that ends our connection alone (xkill) is not taken for a server that has gone.
+TEST(DyingServer, LivesWhenOnlyOurConnectionEnds) {
+  const XServer server = serverFor(8);
+  RunningProgram program{words("view " + kTeapot + kSmall), server.name()};
+  {
+    const WatchedWindow window{server};
+    XKillClient(window.display(), window.id());
+    XSync(window.display(), 0);
+  }
+  const Finished end = program.wait(kEnough);
+  EXPECT_EQ(end.status, 1);
+  EXPECT_EQ(end.err, cutAt(server.name()));
+}
+
+// A snapshot needs nothing more of the server once it has the pixels. A server that ends then is no failure.
+TEST(DyingServer, MayEndAfterThePictureIsRead) {
+  const XServer server = serverFor(8);
+  XProxy proxy{server};
+  const TemporaryFolder folder;
+  const Course course =
+      runThrough(snapshot(folder), server, proxy, XFaultPlan{XFault::CutRequest, {X_DestroyWindow}});
+  EXPECT_TRUE(course.carriedOut);
+  EXPECT_EQ(course.end.status, 0);
+  EXPECT_EQ(course.end.err, "");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+// A round trip takes at least the latency, and the latency does not change the picture.
+TEST(XProxy, IsLateByItsLatency) {
+  constexpr std::chrono::milliseconds kLatency{10};
+  const XServer server = XServer::xvfb(8);
+  XProxy proxy{server, kLatency};
+  const OwnedDisplay display = openDisplay(proxy.name());
+  proxy.begin();
+  const auto start = std::chrono::steady_clock::now();
+  XSync(display.get(), 0);
+  EXPECT_GE(std::chrono::steady_clock::now() - start, kLatency);
+  EXPECT_EQ(proxy.answered().size(), 1u);
+  EXPECT_EQ(proxy.requests(), proxy.answered());
+  const std::string line = "snapshot " + kDivided + " --size 64x48";
+  EXPECT_EQ(pictureOf(line, proxy.name()), pictureOf(line, server.name()));
+}
+
+class RoundTripsAt : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Depths, RoundTripsAt, testing::ValuesIn(someOf({8, 24}, 1)),
+                         testing::PrintToStringParamName());
+
+// New colours are stored without waiting if there is a colormap to store them in. A repaint waits at most
+// three times.
+TEST_P(RoundTripsAt, AreFew) {
+  for (const std::string fill : {"", " --fill x11"}) {
+    SCOPED_TRACE(fill);
+    const XServer server = XServer::xvfb(GetParam(), 1280, 1024);
+    XProxy proxy{server};
+    const RunningProgram program{words("view " + kDivided + fill), proxy.name()};
+    const WatchedWindow window{server};
+    // The first key asks for the keyboard's mapping.
+    ASSERT_TRUE(window.settles());
+
+    const RgbImage before = window.shown(kSeen);
+    const auto waits = [&](const std::function<void()>& act, const RgbImage& from) {
+      proxy.begin();
+      act();
+      EXPECT_TRUE(window.comesToDiffer(from, kSeen));
+      EXPECT_FALSE(proxy.requests().empty());
+      return proxy.answered().size();
+    };
+    const std::size_t forColors = waits([&] { window.type("H"); }, before);
+    EXPECT_LE(forColors, GetParam() == 8 ? 0u : 3u);
+    const RgbImage colored = window.shown(kSeen);
+    EXPECT_LE(waits([&] { window.press(XK_Right); }, colored), 3u);
+    ASSERT_TRUE(window.settles());
+    const RgbImage changed = window.shown(kSeen);
+    EXPECT_LE(waits([&] { window.type("T"); }, changed), 3u);
+  }
+}
+
+// In every view, and over a connection that is 50 ms late, a key waits at most three times. What Xlib asks
+// for the first watch cursor, which appears when work takes long, is not counted.
+TEST_P(RoundTripsAt, AreFewInEveryView) {
+  const XServer server = XServer::xvfb(GetParam(), 1280, 1024);
+  XProxy proxy{server, std::chrono::milliseconds{50}};
+  const RunningProgram program{words("view " + kDivided), proxy.name()};
+  const WatchedWindow window{server};
+  window.moveTo(700, 15);  // on nothing
+  ASSERT_TRUE(window.settles());
+  const auto waits = [&] {
+    return std::ranges::count_if(proxy.answered(), [&](const XRequest& request) {
+      const std::string name = proxy.nameOf(request);
+      return name != "X_QueryExtension" && !name.starts_with("RENDER.") && !name.starts_with("XFIXES.");
+    });
+  };
+  struct Press {
+    char view;
+    KeySym key;
+  };
+  for (const auto& [view, key] : {Press{'2', XK_End}, Press{'3', XK_Right}, Press{'4', XK_Down},
+                                  Press{'5', XK_n}, Press{'7', XK_Down}, Press{'1', XK_Right}}) {
+    SCOPED_TRACE(view);
+    RgbImage before = window.shown(kSeen);
+    proxy.begin();
+    window.type({&view, 1});
+    EXPECT_TRUE(window.comesToDiffer(before, kSeen));
+    EXPECT_LE(waits(), 3);
+    ASSERT_TRUE(window.settles());
+    before = window.shown(kSeen);
+    proxy.begin();
+    window.press(key);
+    EXPECT_TRUE(window.comesToDiffer(before, kSeen));
+    EXPECT_LE(waits(), 3);
+    ASSERT_TRUE(window.settles());
   }
 }
 

@@ -1,11 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <random>
 #include <string>
+#include <thread>
 #include <tuple>
+#include <vector>
 
 #include "tests/x11/support/x_session.h"
 
@@ -17,6 +21,8 @@ namespace xnewell::THIS_FILE {
 
 using testing::AllOf;
 using testing::HasSubstr;
+
+// Pictures on their way to a server, into its window and back, by shared memory or through the connection.
 
 namespace {
 
@@ -45,9 +51,14 @@ bool windowShows(const IndexImage& image, Display* d, const Canvas& canvas, cons
 /// A visual, and whether shared memory is used.
 class CanvasOn : public testing::TestWithParam<std::tuple<std::string, bool>> {
  protected:
-  static XServer serverFor(const std::string& visual) {
-    return XServer::xvfb(visual == "PseudoColor8" ? 8 : 24);
+  CanvasOn() { s.colormap.store(palette); }
+  [[nodiscard]] Canvas canvasOf(int width, int height) const {
+    return {s.display.get(), s.colormap, {.width = width, .height = height, .sharedMemory = shared}};
   }
+  std::string visual = std::get<0>(GetParam());
+  bool shared = std::get<1>(GetParam());
+  Palette palette = distinctPalette();
+  Session s{XServer::xvfb(visual == "PseudoColor8" ? 8 : 24), visual};
 };
 INSTANTIATE_TEST_SUITE_P(
     Visuals, CanvasOn,
@@ -58,14 +69,10 @@ INSTANTIATE_TEST_SUITE_P(
 // A presented image reads back as its palette says: for every index, on every kind of visual, with and
 // without shared memory, at odd sizes.
 TEST_P(CanvasOn, RoundTripIsTheIdentity) {
-  const auto& [visual, shared] = GetParam();
-  Session s{serverFor(visual), visual};
-  const Palette palette = distinctPalette();
-  s.colormap.store(palette);
   unsigned seed = 0;
   for (const auto& [w, h] : {std::pair{1, 1}, {3, 5}, {256, 1}, {17, 300}, {1023, 777}}) {
     SCOPED_TRACE(testing::Message() << w << " x " << h);
-    Canvas canvas{s.display.get(), s.colormap, {.width = w, .height = h, .sharedMemory = shared}};
+    Canvas canvas = canvasOf(w, h);
     EXPECT_EQ(canvas.sharedMemory(), shared);
     const Rect all{0, 0, w, h};
     IndexImage image = randomImage(w, h, ++seed);
@@ -83,13 +90,9 @@ TEST_P(CanvasOn, RoundTripIsTheIdentity) {
 
 // A dirty rectangle changes only what is inside it. It is cut to the image and the canvas.
 TEST_P(CanvasOn, PresentsOnlyTheDirtyRectangle) {
-  const auto& [visual, shared] = GetParam();
-  Session s{serverFor(visual), visual};
-  const Palette palette = distinctPalette();
-  s.colormap.store(palette);
   const int w = 101, h = 67;
   const Rect all{0, 0, w, h};
-  Canvas canvas{s.display.get(), s.colormap, {.width = w, .height = h, .sharedMemory = shared}};
+  Canvas canvas = canvasOf(w, h);
   IndexImage expected = randomImage(w, h, 1);
   canvas.present(expected, all);
   std::mt19937 rng{1972};
@@ -109,13 +112,9 @@ TEST_P(CanvasOn, PresentsOnlyTheDirtyRectangle) {
 
 // The window shows the picture after present(), and shows it again when it is exposed after being wiped.
 TEST_P(CanvasOn, TheWindowShowsThePicture) {
-  const auto& [visual, shared] = GetParam();
-  Session s{serverFor(visual), visual};
   Display* d = s.display.get();
-  const Palette palette = distinctPalette();
-  s.colormap.store(palette);
   const Rect all{0, 0, 120, 90};
-  Canvas canvas{d, s.colormap, {.width = 120, .height = 90, .sharedMemory = shared}};
+  Canvas canvas = canvasOf(120, 90);
   canvas.map();
   for (XEvent event{}; event.type != Expose;) XNextEvent(d, &event);
   const IndexImage image = randomImage(120, 90, 3);
@@ -133,11 +132,7 @@ TEST_P(CanvasOn, TheWindowShowsThePicture) {
 // A new size keeps what fits and fills the rest with index 0. The largest picture works. If the server
 // refuses a larger one, the error names the request, and the picture stays as it was.
 TEST_P(CanvasOn, Resizes) {
-  const auto& [visual, shared] = GetParam();
-  Session s{serverFor(visual), visual};
-  const Palette palette = distinctPalette();
-  s.colormap.store(palette);
-  Canvas canvas{s.display.get(), s.colormap, {.width = 50, .height = 40, .sharedMemory = shared}};
+  Canvas canvas = canvasOf(50, 40);
   const IndexImage image = randomImage(50, 40, 4);
   canvas.present(image, {0, 0, 50, 40});
   canvas.resize(30, 60);
@@ -157,13 +152,9 @@ TEST_P(CanvasOn, Resizes) {
 // On a real colormap, a change of colours shows in the same pixels at once. On an emulated one, it shows only
 // after present().
 TEST_P(CanvasOn, ColoursChangeAsTheMapIs) {
-  const auto& [visual, shared] = GetParam();
-  Session s{serverFor(visual), visual};
   const Rect all{0, 0, 64, 64};
   const IndexImage image = randomImage(64, 64, 5);
-  Palette palette = distinctPalette();
-  s.colormap.store(palette);
-  Canvas canvas{s.display.get(), s.colormap, {.width = 64, .height = 64, .sharedMemory = shared}};
+  Canvas canvas = canvasOf(64, 64);
   canvas.present(image, all);
   const RgbImage before = canvas.readBack(all);
   std::reverse(palette.begin(), palette.end());
@@ -176,11 +167,7 @@ TEST_P(CanvasOn, ColoursChangeAsTheMapIs) {
 
 // What the server draws with the pixel of an index has the colour of that index.
 TEST_P(CanvasOn, TheServerDrawsIntoThePicture) {
-  const auto& [visual, shared] = GetParam();
-  Session s{serverFor(visual), visual};
-  const Palette palette = distinctPalette();
-  s.colormap.store(palette);
-  Canvas canvas{s.display.get(), s.colormap, {.width = 20, .height = 20, .sharedMemory = shared}};
+  Canvas canvas = canvasOf(20, 20);
   IndexImage expected{20, 20, 7};
   canvas.present(expected, {0, 0, 20, 20});
   std::array<XPoint, 4> square{{{4, 5}, {10, 5}, {10, 12}, {4, 12}}};
@@ -214,41 +201,83 @@ TEST(Canvas, TakesTheLargestSize) {
   }
 }
 
-// A server without MIT-SHM gets the same picture through the connection.
-TEST(Canvas, FallsBackWithoutSharedMemory) {
-  Session s{XServer::xvfb(24, 640, 480, {"-extension", "MIT-SHM"})};
-  s.colormap.store(distinctPalette());
-  Canvas canvas{s.display.get(), s.colormap, {.width = 33, .height = 21}};
-  EXPECT_FALSE(canvas.sharedMemory());
-  const IndexImage image = randomImage(33, 21, 6);
-  canvas.present(image, {0, 0, 33, 21});
-  EXPECT_EQ(canvas.readBack({0, 0, 33, 21}), colored(image, distinctPalette(), {0, 0, 33, 21}));
-}
-
-// Only the close button's message is a request to close. The window announces that it understands it.
+// Only the close button's message is a request to close.
 TEST(Canvas, KnowsTheCloseButton) {
   Session s{XServer::xvfb(8)};
   Display* d = s.display.get();
-  Canvas canvas{d, s.colormap, {.width = 10, .height = 10}};
-  const Atom close = XInternAtom(d, "WM_DELETE_WINDOW", 0);
-  XEvent event{};
-  event.xclient.type = ClientMessage;
-  event.xclient.window = canvas.window();
-  event.xclient.message_type = XInternAtom(d, "WM_PROTOCOLS", 0);
-  event.xclient.format = 32;
-  event.xclient.data.l[0] = static_cast<long>(close);
-  EXPECT_TRUE(canvas.isCloseRequest(event));
-  event.xclient.data.l[0] = static_cast<long>(XInternAtom(d, "WM_TAKE_FOCUS", 0));
-  EXPECT_FALSE(canvas.isCloseRequest(event));
-  Atom* known = nullptr;
-  int count = 0;
-  ASSERT_NE(XGetWMProtocols(d, canvas.window(), &known, &count), 0);
-  EXPECT_TRUE(std::find(known, known + count, close) != known + count);
-  XFree(known);
-  XWindowAttributes attributes{};
-  XGetWindowAttributes(d, canvas.window(), &attributes);
-  EXPECT_EQ(attributes.colormap, s.colormap.id());
-  EXPECT_EQ(attributes.bit_gravity, NorthWestGravity);
+  const Canvas canvas{d, s.colormap, {.width = 10, .height = 10}};
+  for (const char* protocol : {"WM_DELETE_WINDOW", "WM_TAKE_FOCUS"}) {
+    XEvent event{};
+    event.xclient.type = ClientMessage;
+    event.xclient.window = canvas.window();
+    event.xclient.message_type = XInternAtom(d, "WM_PROTOCOLS", 0);
+    event.xclient.format = 32;
+    event.xclient.data.l[0] = static_cast<long>(XInternAtom(d, protocol, 0));
+    EXPECT_EQ(canvas.isCloseRequest(event), std::string{protocol} == "WM_DELETE_WINDOW");
+  }
+}
+
+// Shared memory that the server has yet to read is not overwritten: a second picture waits for the first.
+TEST(TransferImage, DoesNotOverwriteWhatTheServerHasYetToRead) {
+  Session s{XServer::xvfb(8)};
+  Display* d = s.display.get();
+  Canvas canvas{d, s.colormap, {.width = 64, .height = 64}};
+  ASSERT_TRUE(canvas.sharedMemory());
+  XSync(d, 0);
+  kill(s.server.pid(), SIGSTOP);
+  const unsigned long put = NextRequest(d);
+  canvas.present(randomImage(64, 64, 1), {0, 0, 64, 64});
+  EXPECT_LT(LastKnownRequestProcessed(d), put);
+  // No proof hangs on the pause: it gives a canvas that does not wait time to overwrite the first picture.
+  std::thread wake{[&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    kill(s.server.pid(), SIGCONT);
+  }};
+  canvas.present(randomImage(64, 64, 2), {0, 0, 64, 64});
+  EXPECT_GE(LastKnownRequestProcessed(d), put);
+  wake.join();
+}
+
+// Every image format that a server may ask for holds the same pixels, in any byte order and width. Dithered
+// images hold the tile's pixel at each place.
+TEST(WritePixels, EveryFormatHoldsThePixels) {
+  const IndexImage image = randomImage(37, 11, 8);
+  const Rect rect{2, 3, 31, 7};
+  for (const int bits : {1, 4, 8, 16, 24, 32})
+    for (const int order : {LSBFirst, MSBFirst})
+      for (const int run : {0, 1}) {
+        SCOPED_TRACE(testing::Message() << bits << " bits, order " << order);
+        std::array<unsigned long, 256> pixels{};
+        for (unsigned long i = 0; i < 256; ++i)
+          pixels[i] = (run ? i : 0x9E3779B1ul * (i + 1)) & ((1ul << bits) - 1);
+        XImage out{};
+        out.width = 37;
+        out.height = 11;
+        out.format = ZPixmap;
+        out.byte_order = order;
+        out.bitmap_bit_order = order;
+        out.bitmap_unit = out.bitmap_pad = 32;
+        out.depth = out.bits_per_pixel = bits;
+        ASSERT_NE(XInitImage(&out), 0);
+        std::vector<char> data(std::size_t(out.bytes_per_line) * out.height, 0);
+        out.data = data.data();
+        PixelTable table{pixels};
+        for (const bool dithers : {false, true}) {
+          for (int i = 0; dithers && i < 256; i += 3) {
+            Tile tile;
+            for (int place = 0; place < 64; ++place) tile[place] = pixels[(i + place) % 256];
+            table.set(i, pixels[i], tile);
+          }
+          ASSERT_EQ(table.dithers(), dithers);
+          writePixels(out, image, rect, table);
+          for (int y = 0; y < 11; ++y)
+            for (int x = 0; x < 37; ++x) {
+              const bool inside = x >= 2 && x < 33 && y >= 3 && y < 10;
+              const int i = image.row(y)[x], moved = dithers && i % 3 == 0 ? y % 8 * 8 + x % 8 : 0;
+              ASSERT_EQ(XGetPixel(&out, x, y), inside ? pixels[(i + moved) % 256] : 0) << x << ',' << y;
+            }
+        }
+      }
 }
 
 }  // namespace xnewell::THIS_FILE

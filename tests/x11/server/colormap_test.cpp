@@ -1,16 +1,30 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <optional>
-#include <random>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 #include "tests/x11/support/x_server.h"
 
 #include "x11/server/colormap.h"
+#include "x11/server/display.h"
 #include "x11/server/read_visuals.h"
 
 namespace xnewell::THIS_FILE {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+// What the program has on a server: its colormap, and its connection with errors and resources.
 
 namespace {
 
@@ -47,6 +61,17 @@ std::vector<XColor> cellsOf(Display* display, Colormap map) {
 
 bool sameColor(const XColor& a, const XColor& b) {
   return a.red == b.red && a.green == b.green && a.blue == b.blue;
+}
+
+/// The text of the X11Error that `f` throws; empty if it does not.
+template <typename F>
+std::string thrownBy(F f) {
+  try {
+    f();
+  } catch (const X11Error& error) {
+    return error.what();
+  }
+  return {};
 }
 
 }  // namespace
@@ -88,18 +113,6 @@ TEST(ServerColormap, HoldsTheTablesOfTheBook) {
           }
   EXPECT_GT(compared, 40'000);
   EXPECT_EQ(exempt, 0);  // the settings above have no tie
-}
-
-// Known values: cell 10 + i of `brief` is (i, 0, 0), and the ends of `corrected` are 5 and 255.
-TEST(ServerColormap, HoldsTheNumbersOfTheBrief) {
-  const XServer x = XServer::xvfb(8);
-  const OwnedDisplay display = openDisplay(x.name());
-  ServerColormap map{display.get(), choiceOn(display.get())};
-  map.store(makePalette(map.plan(TableKind::Brief), ColorTable{{.kind = TableKind::Brief}}));
-  for (int i = 0; i < 240; ++i) EXPECT_EQ(map.shown()[10 + i].r >> 8, i);
-  map.store(makePalette(map.plan(TableKind::Corrected), ColorTable{{.kind = TableKind::Corrected}}));
-  EXPECT_EQ(map.shown()[11].r >> 8, 5);  // round(65535 * 0.02) = 1311 = 5 * 256 + 31
-  EXPECT_EQ(map.shown()[250].r >> 8, 255);
 }
 
 // Black and white, and the cells that the ramp and the tool leave free, look as in the default map. This
@@ -171,27 +184,6 @@ TEST(ServerColormap, NeedsNoFreeCell) {
   for (int i = 0; i < 256; ++i) EXPECT_EQ(map.shown()[i].b >> 8, palette[i].b >> 8);
 }
 
-// Plan, map and default map agree also in Xephyr, where black is 1 and white is 0.
-TEST(ServerColormap, FollowsBlackAndWhiteOfTheServer) {
-  const XServer host = XServer::xvfb(24);
-  const XServer x = XServer::xephyr(host, 8);
-  const OwnedDisplay display = openDisplay(x.name());
-  Display* d = display.get();
-  const int black = static_cast<int>(BlackPixel(d, 0)), white = static_cast<int>(WhitePixel(d, 0));
-  ASSERT_EQ(black, 1);
-  ASSERT_EQ(white, 0);
-  ServerColormap map{d, choiceOn(d)};
-  ASSERT_TRUE(map.live() && map.identity());
-  for (const TableRow& row : kTables) {
-    const CellPlan plan = map.plan(row.id);
-    EXPECT_EQ(plan[Cell::Black], black);
-    EXPECT_EQ(plan[Cell::White], white);
-    map.store(makePalette(plan, ColorTable{{.kind = row.id}}, map.unneeded()));
-    EXPECT_EQ(map.shown()[black], (Rgb16{0, 0, 0}));
-    EXPECT_EQ(map.shown()[white], (Rgb16{0xFFFF, 0xFFFF, 0xFFFF}));
-  }
-}
-
 // If the default visual is another class of depth 8, its colours are still copied cell by cell. If it is
 // deeper, its pixels mean nothing in our map, and the plan is the usual one.
 TEST(ServerColormap, PlansForTheDefaultVisual) {
@@ -259,6 +251,112 @@ TEST(ServerColormap, InstallsOnlyWhereNobodyElseDoes) {
   EXPECT_FALSE(windowManagerRuns(display.get()));
   map.installUnlessManaged();
   EXPECT_TRUE(map.installed());
+}
+
+// A test program that dies without running destructors takes its server with it.
+TEST(XServerFixture, DiesWithACrashingTest) {
+  std::array<int, 2> channel{};
+  ASSERT_EQ(pipe(channel.data()), 0);
+  const pid_t crashing = fork();
+  if (crashing == 0) {
+    const XServer server = XServer::xvfb(8);
+    const pid_t pid = server.pid();
+    if (write(channel[1], &pid, sizeof pid) != sizeof pid) _exit(2);
+    kill(getpid(), SIGKILL);
+  }
+  pid_t server = 0;
+  ASSERT_EQ(read(channel[0], &server, sizeof server), static_cast<ssize_t>(sizeof server));
+  close(channel[0]);
+  close(channel[1]);
+  waitpid(crashing, nullptr, 0);
+  const auto gone = [&] {  // nobody may be there to reap it: a zombie is gone too
+    std::ifstream stat{"/proc/" + std::to_string(server) + "/stat"};
+    std::string number, program, state;
+    return !(stat >> number >> program >> state) || state == "Z";
+  };
+  for (int tries = 0; tries < 1000 && !gone(); ++tries) usleep(10'000);
+  EXPECT_TRUE(gone());
+}
+
+// check() throws the first error under a trap with the name of the request that caused it. The error is not
+// counted as a stray one, and a trap set later does not get errors of earlier requests.
+TEST(ErrorTrap, NamesTheRequest) {
+  const XServer server = XServer::xvfb(8);
+  const OwnedDisplay display = openDisplay(server.name());
+  Display* d = display.get();
+  const Window root = DefaultRootWindow(d);
+  const int before = strayErrors();
+  EXPECT_THAT(thrownBy([&] {
+                ErrorTrap trap{d};
+                const OwnedPixmap wide{d, XCreatePixmap(d, root, 40000, 1, 8)};  // no pixmap above 32767
+                trap.check();
+              }),
+              AllOf(HasSubstr("X_CreatePixmap"), HasSubstr("BadAlloc")));
+  {
+    ErrorTrap trap{d};
+    const OwnedPixmap shallow{d, XCreatePixmap(d, root, 4, 4, 1)};
+    const OwnedGC gc{d, XCreateGC(d, root, 0, nullptr)};
+    EXPECT_EQ(thrownBy([&] { trap.check(); }), "");
+    XFillRectangle(d, shallow.get(), gc.get(), 0, 0, 4, 4);  // a GC of depth 8 on a pixmap of depth 1
+    XMapWindow(d, 0);                                        // a second error, not the first
+    ErrorTrap inner{d};
+    EXPECT_EQ(thrownBy([&] { inner.check(); }), "");
+    EXPECT_THAT(thrownBy([&] { trap.check(); }),
+                AllOf(HasSubstr("X_PolyFillRectangle"), HasSubstr("BadMatch")));
+    EXPECT_EQ(thrownBy([&] { trap.check(); }), "");
+  }
+  {
+    ErrorTrap dropped{d};
+    XMapWindow(d, 0);
+  }
+  EXPECT_EQ(strayErrors(), before);
+}
+
+// A resource has one owner. Moving leaves nothing behind, and each id is freed exactly once.
+TEST(XResource, IsFreedOnce) {
+  static_assert(!std::is_copy_constructible_v<OwnedPixmap> && std::is_nothrow_move_assignable_v<OwnedPixmap>);
+  const XServer server = XServer::xvfb(8);
+  const OwnedDisplay display = openDisplay(server.name());
+  Display* d = display.get();
+  const auto alive = [&](Pixmap pixmap) {
+    ErrorTrap trap{d};
+    Window root = 0;
+    int x = 0, y = 0;
+    unsigned w = 0, h = 0, border = 0, depth = 0;
+    return XGetGeometry(d, pixmap, &root, &x, &y, &w, &h, &border, &depth) != 0;
+  };
+  ErrorTrap trap{d};
+  Pixmap first = 0, second = 0;
+  {
+    OwnedPixmap a{d, XCreatePixmap(d, DefaultRootWindow(d), 4, 4, 8)};
+    OwnedPixmap b{d, XCreatePixmap(d, DefaultRootWindow(d), 4, 4, 8)};
+    first = a.get();
+    second = b.get();
+    a = std::move(b);
+    OwnedPixmap c{std::move(a)};
+    EXPECT_EQ(c.get(), second);
+    EXPECT_EQ(a.get(), 0u);
+    EXPECT_TRUE(alive(second));
+  }
+  EXPECT_FALSE(alive(first));
+  EXPECT_FALSE(alive(second));
+  EXPECT_NO_THROW(trap.check());  // a second free would be BadPixmap
+}
+
+// An error outside every trap is told and counted, and the program goes on. Of many only the first are told:
+// a window may get one in every frame.
+TEST(ErrorTrap, StrayErrorsAreToldAndCounted) {
+  const XServer server = XServer::xvfb(8);
+  const OwnedDisplay display = openDisplay(server.name());
+  const int before = strayErrors();
+  ASSERT_LT(before, kToldErrors);
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 100; ++i) XMapWindow(display.get(), 0);
+  XSync(display.get(), 0);
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(told, HasSubstr("xnewell: X_MapWindow: BadWindow"));
+  EXPECT_EQ(std::ranges::count(told, '\n'), kToldErrors - before);
+  EXPECT_EQ(strayErrors(), before + 100);
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -130,12 +131,13 @@ inline int idAt(const RgbImage& ids, int i, int j) {
   return p[0] << 16 | p[1] << 8 | p[2];
 }
 
-/// Each id with its number of pixels.
-inline std::map<int, int> idCounts(const RgbImage& ids) {
-  std::map<int, int> counts;
-  for (int j = 0; j < ids.height; ++j)
-    for (int i = 0; i < ids.width; ++i) ++counts[idAt(ids, i, j)];
-  return counts;
+/// The words of a printed command, after the program's name. No word of these tests needs quotes.
+inline Strings commandWords(const std::string& command, const std::string& picture) {
+  Strings words;
+  std::istringstream in{command};
+  for (std::string word; in >> word;) words.push_back(word == "picture.png" ? picture : word);
+  words.erase(words.begin());
+  return words;
 }
 
 /// A double with all its digits.

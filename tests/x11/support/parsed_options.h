@@ -36,10 +36,11 @@ inline std::string complaint(const std::vector<std::string>& arguments) {
   return "";
 }
 
+/// The same of any words.
 inline std::string complaintAll(const std::vector<std::string>& arguments) {
   try {
     static_cast<void>(parsed(arguments));
-  } catch (const UsageError& e) {
+  } catch (const std::exception& e) {
     return e.what();
   }
   return "";

@@ -26,7 +26,7 @@
 namespace xnewell::THIS_FILE {
 
 // Servers x visuals x tables x fills: what a picture looks like on each, compared with what the server's own
-// answers say it should look like.
+// answers say it should look like. And pictures of the program on gray visuals and those of few colours.
 
 namespace {
 
@@ -35,48 +35,27 @@ constexpr Rect kInside{21, 9, 160, 120};  ///< where the server fills it, away f
 constexpr Rect kChart{0, 0, 128, 128};    ///< an 8 x 8 block of each index
 
 struct ServerRow {
-  std::string_view name, program;
-  std::vector<std::string> arguments;
-  bool nested = false;    ///< runs inside another server
-  bool required = true;   ///< otherwise it may refuse to start: not every build knows the depth
-  std::string_view only;  ///< the class of visual to try; "" for all
+  std::string_view name, command;
+  std::string_view only = "";  ///< the class of visual to try; "" for all
+  bool required = true;        ///< otherwise it may refuse to start: not every build knows the depth
 };
 
 const std::array kServers{
-    ServerRow{
-        "Xvfb8StaticGray", "Xvfb", {"-screen", "0", "320x240x8", "-cc", "0"}, false, true, "StaticGray"},
-    ServerRow{"Xvfb8GrayScale", "Xvfb", {"-screen", "0", "320x240x8", "-cc", "1"}, false, true, "GrayScale"},
-    ServerRow{
-        "Xvfb8StaticColor", "Xvfb", {"-screen", "0", "320x240x8", "-cc", "2"}, false, true, "StaticColor"},
-    ServerRow{"Xvfb8PseudoColor", "Xvfb", {"-screen", "0", "320x240x8", "-cc", "3"}, false, true, ""},
-    ServerRow{"Xvfb8TrueColor", "Xvfb", {"-screen", "0", "320x240x8", "-cc", "4"}, false, true, "TrueColor"},
-    ServerRow{
-        "Xvfb8DirectColor", "Xvfb", {"-screen", "0", "320x240x8", "-cc", "5"}, false, true, "DirectColor"},
-    ServerRow{"Xvfb15", "Xvfb", {"-screen", "0", "320x240x15"}, false, false, ""},
-    ServerRow{"Xvfb16", "Xvfb", {"-screen", "0", "320x240x16"}, false, true, ""},
-    ServerRow{"Xvfb24", "Xvfb", {"-screen", "0", "320x240x24"}, false, true, ""},
-    ServerRow{
-        "Xvfb24DirectColor", "Xvfb", {"-screen", "0", "320x240x24", "-cc", "5"}, false, true, "DirectColor"},
-    ServerRow{"Xvfb30", "Xvfb", {"-screen", "0", "320x240x30"}, false, false, ""},
-    ServerRow{"Xephyr8", "Xephyr", {"-screen", "320x240x8"}, true, true, ""},
-    ServerRow{"Xvnc565",
-              "Xvnc",
-              {"-geometry", "320x240", "-SecurityTypes", "None", "-rfbport", "-1", "-pixelformat", "rgb565"},
-              false,
-              true,
-              ""},
-    ServerRow{"XvncBgr565",
-              "Xvnc",
-              {"-geometry", "320x240", "-SecurityTypes", "None", "-rfbport", "-1", "-pixelformat", "bgr565"},
-              false,
-              true,
-              ""},
-    ServerRow{"XvncBgr888",
-              "Xvnc",
-              {"-geometry", "320x240", "-SecurityTypes", "None", "-rfbport", "-1", "-pixelformat", "bgr888"},
-              false,
-              true,
-              ""},
+    ServerRow{"Xvfb8StaticGray", "Xvfb -screen 0 320x240x8 -cc 0", "StaticGray"},
+    ServerRow{"Xvfb8GrayScale", "Xvfb -screen 0 320x240x8 -cc 1", "GrayScale"},
+    ServerRow{"Xvfb8StaticColor", "Xvfb -screen 0 320x240x8 -cc 2", "StaticColor"},
+    ServerRow{"Xvfb8PseudoColor", "Xvfb -screen 0 320x240x8 -cc 3"},
+    ServerRow{"Xvfb8TrueColor", "Xvfb -screen 0 320x240x8 -cc 4", "TrueColor"},
+    ServerRow{"Xvfb8DirectColor", "Xvfb -screen 0 320x240x8 -cc 5", "DirectColor"},
+    ServerRow{"Xvfb15", "Xvfb -screen 0 320x240x15", "", false},
+    ServerRow{"Xvfb16", "Xvfb -screen 0 320x240x16"},
+    ServerRow{"Xvfb24", "Xvfb -screen 0 320x240x24"},
+    ServerRow{"Xvfb24DirectColor", "Xvfb -screen 0 320x240x24 -cc 5", "DirectColor"},
+    ServerRow{"Xvfb30", "Xvfb -screen 0 320x240x30", "", false},
+    ServerRow{"Xephyr8", "Xephyr -screen 320x240x8"},  // inside another server
+    ServerRow{"Xvnc565", "Xvnc -geometry 320x240 -SecurityTypes None -rfbport -1 -pixelformat rgb565"},
+    ServerRow{"XvncBgr565", "Xvnc -geometry 320x240 -SecurityTypes None -rfbport -1 -pixelformat bgr565"},
+    ServerRow{"XvncBgr888", "Xvnc -geometry 320x240 -SecurityTypes None -rfbport -1 -pixelformat bgr888"},
 };
 
 using Color = std::array<int, 3>;  ///< 8-bit values
@@ -243,12 +222,14 @@ class VisualMatrix : public testing::TestWithParam<ServerRow> {
 
   void SetUp() override {
     const ServerRow& row = GetParam();
-    if (row.nested) host.emplace(XServer::xvfb(24, 640, 480));
-    std::vector<std::string> arguments = row.arguments;
-    if (row.program == "Xvnc")  // from 1.15 on, TigerVNC needs a socket if it has no port
+    std::vector<std::string> arguments = words(std::string{row.command});
+    const std::string program = arguments[0];
+    arguments.erase(arguments.begin());
+    if (program == "Xephyr") host.emplace(XServer::xvfb(24, 640, 480));
+    if (program == "Xvnc")  // from 1.15 on, TigerVNC needs a socket if it has no port
       arguments.insert(arguments.end(), {"-rfbunixpath", folder.file("vnc")});
     try {
-      server.emplace(std::string{row.program}, arguments, host ? host->name() : "");
+      server.emplace(program, arguments, host ? host->name() : "");
     } catch (const std::runtime_error& e) {
       if (row.required) throw;
       GTEST_SKIP() << e.what();
@@ -284,7 +265,7 @@ class VisualMatrix : public testing::TestWithParam<ServerRow> {
       if (exact || v.gray()) {  // there are 256 grays, which is all
         ASSERT_EQ(used.size(), 1u);
         ASSERT_EQ(shows.at(*used.begin()), wanted);
-      } else if (tool.contains(i)) {  // tool_colors_test.cpp checks which colour
+      } else if (tool.contains(i)) {  // emulation_test.cpp checks which colour
         ASSERT_EQ(used.size(), 1u);
       } else if (!dither) {
         ASSERT_EQ(used.size(), 1u);
@@ -358,6 +339,73 @@ TEST_P(VisualMatrix, ShowsEveryIndexAsItsClassAllows) {
   EXPECT_EQ(strayErrors(), strays);
   ASSERT_FALSE(covered.empty());
   std::cout << "covered: " << GetParam().name << " (" << covered << ")\n";
+}
+
+// On gray visuals a ramp of one hue shows the intensities, as a white ramp would: the hue does not darken
+// them. Colours outside the ramp, here the ground, have the gray of their brightness.
+TEST(GrayVisuals, ShowTheIntensity) {
+  const XServer server = XServer::xvfb(8);
+  for (const std::string line :
+       {"teapot --divisions 3 --size 160x120", "cycle --table corrected --hue 0.2,1,0.4 --size 160x120"}) {
+    SCOPED_TRACE(line);
+    const RgbImage drawn = pictureOf("draw " + line);
+    for (const std::string visual : {"GrayScale8", "StaticGray8"}) {
+      const RgbImage shown = pictureOf("snapshot " + line + " --visual " + visual, server.name());
+      int ground = 0;
+      for (std::size_t k = 0; k < drawn.rgb.size(); k += 3) {
+        const auto* c = &drawn.rgb[k];
+        const bool well = c[0] == 0x2A && c[1] == 0x2E && c[2] == 0x35;
+        ground += well;
+        const int expected =
+            well ? (30 * 0x2A2A + 59 * 0x2E2E + 11 * 0x3535) / 100 >> 8 : *std::max_element(c, c + 3);
+        for (int channel = 0; channel < 3; ++channel) ASSERT_EQ(shown.rgb[k + channel], expected) << k / 3;
+      }
+      EXPECT_GT(ground, 1000);
+      EXPECT_LT(ground, 160 * 120 - 1000);
+    }
+  }
+}
+
+// With --nearest each colour of the picture becomes one colour of the screen. Without it, it becomes several.
+TEST(FewColors, NearestIsAFunctionOfTheColour) {
+  const XServer server = XServer::xvfb(8);
+  const std::string line = "teapot --divisions 3 --size 160x120";
+  const RgbImage drawn = pictureOf("draw " + line);
+  for (const std::string more : {"", " --nearest"}) {
+    const RgbImage shown = pictureOf("snapshot --visual TrueColor8 " + line + more, server.name());
+    std::map<Color, std::set<Color>> became;
+    for (std::size_t k = 0; k < drawn.rgb.size(); k += 3)
+      became[{drawn.rgb[k], drawn.rgb[k + 1], drawn.rgb[k + 2]}].insert(
+          {shown.rgb[k], shown.rgb[k + 1], shown.rgb[k + 2]});
+    EXPECT_GT(became.size(), 50u);
+    const auto several =
+        std::ranges::count_if(became, [](const auto& entry) { return entry.second.size() > 1; });
+    if (more.empty()) {
+      EXPECT_GT(several, 30);
+    } else {
+      EXPECT_EQ(several, 0);
+    }
+  }
+}
+
+// On every visual class the window follows its keys. It shows what a fresh start with the new hue shows, and
+// then what a fresh start with the server filling shows.
+TEST(FewColors, TheWindowFollows) {
+  for (int defaultClass = 0; defaultClass < 6; ++defaultClass) {
+    const XServer server = XServer::xvfb(8, 1280, 1024, {"-cc", std::to_string(defaultClass)});
+    const std::string visual{kVisualClasses[defaultClass].name};
+    SCOPED_TRACE(visual);
+    const std::string line = "teapot --divisions 3 --visual " + visual;
+    const WatchedViewer viewer{server, line};
+    const Rect seen = aboveStatus(1024, 768);
+    EXPECT_TRUE(viewer.window.comesToShow(freshWindow(server, line), seen));
+    viewer.window.type("H");
+    EXPECT_TRUE(viewer.window.comesToShow(freshWindow(server, line + " --hue 1,0.7,0"), seen));
+    viewer.window.type("uF");
+    EXPECT_TRUE(viewer.window.comesToShow(freshWindow(server, line + " --fill x11"), seen));
+    viewer.window.type("H");  // what the server fills follows, too
+    EXPECT_TRUE(viewer.window.comesToShow(freshWindow(server, line + " --hue 1,0.7,0 --fill x11"), seen));
+  }
 }
 
 }  // namespace xnewell::THIS_FILE

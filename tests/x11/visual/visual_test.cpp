@@ -49,8 +49,6 @@ std::string refusal(const ServerVisuals& s, const std::optional<VisualWish>& wis
   return {};
 }
 
-ServerVisuals askedOf(const XServer& x) { return readVisuals(openDisplay(x.name()).get(), true); }
-
 }  // namespace
 
 // Visuals that show every colour come first. Among them a real colormap comes first, then those that make no
@@ -204,27 +202,6 @@ TEST(PixelOf, KeepsTheHighBitsOfEachChannel) {
   }
 }
 
-// Stock servers have all six classes at depth 8 and no PseudoColor at depth 24.
-TEST(ReadVisuals, StockServers) {
-  const ServerVisuals eight = askedOf(XServer::xvfb(8));
-  std::vector<VisualClass> classes;
-  for (const VisualInfo& v : eight.visuals) classes.push_back(v.kind);
-  EXPECT_THAT(classes,
-              testing::UnorderedElementsAre(VisualClass::StaticGrayClass, VisualClass::GrayScaleClass,
-                                            VisualClass::StaticColorClass, VisualClass::PseudoColorClass,
-                                            VisualClass::TrueColorClass, VisualClass::DirectColorClass));
-  EXPECT_EQ(eight.defaultVisual().name(), "PseudoColor 8");
-  EXPECT_EQ(chooseVisual(eight).visual.id, eight.defaultId);
-  EXPECT_NE(eight.black, eight.white);
-
-  const ServerVisuals full = askedOf(XServer::xvfb(24));
-  EXPECT_EQ(chooseVisual(full).visual.id, full.defaultId);
-  EXPECT_EQ(chooseVisual(full).visual.name(), "TrueColor 24");
-  EXPECT_FALSE(full.freeCells);
-  EXPECT_THAT(refusal(full, parseVisualWish("PseudoColor8")),
-              HasSubstr("has no PseudoColor 8; it has TrueColor"));
-}
-
 // Without RENDER, all cells but black and white are free. Each cell that another program takes is one less.
 // Counting gives all cells back.
 TEST(ReadVisuals, CountsTheFreeCells) {
@@ -238,34 +215,6 @@ TEST(ReadVisuals, CountsTheFreeCells) {
   EXPECT_EQ(readVisuals(display.get(), true).freeCells, 177);
   ASSERT_NE(XAllocColorCells(other.get(), map, 0, nullptr, 0, cells.data() + 77, 177), 0);
   EXPECT_EQ(readVisuals(display.get(), true).freeCells, 0);
-}
-
-// The table has a row for each kind of visual, with its number, and ends with the choice and the reason for
-// it.
-TEST(DescribeVisuals, IsATableThatEndsWithTheChoice) {
-  ServerVisuals s = server({pseudo(0x21), trueColor(0x22, 24), trueColor(0x23, 24), direct(0x24)}, 0x21);
-  s.black = 1;
-  s.freeCells = 183;
-  const std::string text = describeVisuals(s);
-  EXPECT_THAT(
-      text,
-      HasSubstr("TrueColor       24    rgb        2    256     -     8  fixed     look the colours up"));
-  EXPECT_THAT(text,
-              HasSubstr("DirectColor     24    rgb        1    256     -     8  writable  store colours"));
-  EXPECT_THAT(text,
-              HasSubstr("PseudoColor      8      -        1    256   183     8  writable  store colours"));
-  EXPECT_THAT(text, HasSubstr("pixels 1 and 0"));
-  EXPECT_THAT(text, HasSubstr("183 of 256 cells free"));
-  EXPECT_THAT(text.substr(text.rfind('\n', text.size() - 2)),
-              HasSubstr("PseudoColor 8 (0x21): its colormap is real"));
-  const std::string shared = describeVisuals(s, {}, MapOwner::Shared);
-  EXPECT_THAT(shared,
-              HasSubstr("PseudoColor      8      -        1    256   183     8  writable  take free cells"));
-  EXPECT_THAT(shared,
-              HasSubstr("TrueColor       24    rgb        2    256     -     8  fixed     not take it"));
-  EXPECT_THAT(shared, HasSubstr("chosen            PseudoColor 8 (0x21): the default visual"));
-  EXPECT_THAT(describeVisuals(s, parseVisualWish("GrayScale")),
-              HasSubstr("none: display ':7' has no GrayScale"));
 }
 
 }  // namespace xnewell::THIS_FILE
