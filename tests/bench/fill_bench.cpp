@@ -13,7 +13,7 @@
 #include "shading/fill/fill.h"
 #include "shading/fill/gouraud.h"
 #include "tests/bench/least.h"
-#include "tests/support/affine_over.h"
+#include "tests/support/random_triangles.h"
 
 namespace xnewell {
 

@@ -6,7 +6,6 @@
 #include "shading/color/quantize.h"
 #include "shading/fill/environment.h"
 #include "tests/support/full_color_picture.h"
-#include "tests/support/image_difference.h"
 
 namespace xnewell {
 

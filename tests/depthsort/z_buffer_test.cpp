@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <cmath>
 
 #include "depthsort/oracle.h"
 #include "geometry/model/solids.h"

@@ -18,7 +18,6 @@
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene_file.h"
 #include "shading/scene/settings.h"
-#include "tests/support/doubt.h"
 #include "tests/support/painted.h"
 #include "tests/support/seeds.h"
 #include "tests/support/temporary_folder.h"
