@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -467,55 +466,7 @@ TEST(Order, FarthestFirst) {
 
 /// ---- The oracle itself
 
-using Rational = boost::multiprecision::cpp_rational;
-
-/// A number plus infinitely small parts: value + first e + second e^2.
-struct Perturbed {
-  Rational value, first, second;
-  [[nodiscard]] int sign() const {
-    for (const Rational* part : {&value, &first, &second})
-      if (*part != 0) return *part > 0 ? 1 : -1;
-    return 0;
-  }
-};
-
-/// The second oracle. It computes depths and edges in rational arithmetic, with the sample at (i + 1/2 + e, j
-/// + 1/2 + e^2), straight from the vertices. It shares no line with the first.
-struct RationalFace {
-  std::vector<std::array<Rational, 3>> v;
-
-  explicit RationalFace(const SnappedScene& scene, const SnappedFace& face) {
-    for (int k = 0; k < face.count; ++k) {
-      const glm::ivec3& p = scene.vertices[face.first + k];
-      v.push_back({Rational{p.x, kGrid}, Rational{p.y, kGrid}, Rational{p.z}});
-    }
-  }
-  [[nodiscard]] bool covers(int i, int j) const {
-    for (std::size_t k = 0; k < v.size(); ++k) {
-      const auto &a = v[k], &b = v[(k + 1) % v.size()];
-      const Rational dx = b[0] - a[0], dy = b[1] - a[1];
-      const Perturbed side{dy * (Rational{2 * i + 1, 2} - a[0]) - dx * (Rational{2 * j + 1, 2} - a[1]), dy,
-                           -dx};
-      if (side.sign() < 0) return false;
-    }
-    return true;
-  }
-  /// The depth of a triangle at the sample, from its barycentric coordinates.
-  [[nodiscard]] Perturbed depth(int i, int j) const {
-    const auto &a = v[0], &b = v[1], &c = v[2];
-    const auto area = [](const Rational& ux, const Rational& uy, const Rational& vx,
-                         const Rational& vy) -> Rational { return ux * vy - uy * vx; };
-    const Rational whole = area(b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]);
-    const auto at = [&](const Rational& x, const Rational& y) -> Rational {
-      const Rational s = area(x - a[0], y - a[1], c[0] - a[0], c[1] - a[1]) / whole;
-      const Rational t = area(b[0] - a[0], b[1] - a[1], x - a[0], y - a[1]) / whole;
-      return a[2] + s * (b[2] - a[2]) + t * (c[2] - a[2]);
-    };
-    const Rational x{2 * i + 1, 2}, y{2 * j + 1, 2}, here = at(x, y);
-    return {here, at(x + 1, y) - here, at(x, y + 1) - here};
-  }
-};
-
+/// The second oracle shares no line with the first.
 int compare(const Perturbed& p, const Perturbed& q) {
   return Perturbed{p.value - q.value, p.first - q.first, p.second - q.second}.sign();
 }

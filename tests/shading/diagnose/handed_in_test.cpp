@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <numeric>
 #include <random>
 #include <set>
@@ -21,8 +20,8 @@
 #include "shading/laboratory/exactness.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene_file.h"
+#include "tests/support/reader_fixture.h"
 #include "tests/support/seeds.h"
-#include "tests/support/temporary_folder.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -32,19 +31,10 @@ namespace {
 
 class HandedInFile : public ::testing::Test {
  protected:
-  std::string write(const std::string& name, const std::string& bytes) {
-    const std::string file = (folder_.path() / name).string();
-    std::ofstream{file, std::ios::binary} << bytes;
-    return file;
-  }
+  std::string write(const std::string& name, const std::string& bytes) { return folder_.write(name, bytes); }
   void refused(const std::string& bytes, const std::string& why) {
     const std::string file = write("bad", bytes);
-    try {
-      (void)readHandedIn(file);
-      ADD_FAILURE() << "was read: " << why;
-    } catch (const ParseError& e) {
-      EXPECT_THAT(e.what(), ::testing::HasSubstr(why));
-    }
+    EXPECT_THAT(complaint([&] { return readHandedIn(file); }), ::testing::HasSubstr(why));
   }
   TemporaryFolder folder_;
 };

@@ -486,26 +486,6 @@ TEST(Illumination, Forms) {
   }
 }
 
-// Each channel is computed by itself, and several lights add up. The test has a red and a green light on a
-// surface of half the blue.
-TEST(Illumination, Channels) {
-  Mesh m = square();
-  m.materials.push_back({.name = "teal", .diffuse = {0.5, 1, 0.5}, .ka = 1, .kd = 1, .ks = 0});
-  m.material[0] = 0;
-  const SceneLight scene{.Ia = glm::dvec3{0.1, 0.1, 0.2},
-                         .lights = {{.Ip = {0.8, 0, 0}}, {.Ip = {0, 0.3, 0}, .direction = {0, 3, 4}}}};
-  const Lighting lighting = resolve(m, scene, {}, Channels::Rgb, {0, 0, 5}, {0, 0, 0});
-  const ShadingPoints points = facePoints(m);
-  const std::array expected{0.1 * 0.5 + 0.8 * 0.5, 0.1 + 0.3 * 0.8, 0.2 * 0.5};
-  for (int c = 0; c < 3; ++c) {
-    Terms diffuse;
-    Intensities intensities;
-    diffuseIntensities(diffuse, points, lighting, c);
-    addTerms(intensities, diffuse, Terms(diffuse.size(), {0.0, 0.0}), points, lighting, c);
-    EXPECT_NEAR(intensities.I[0].front, expected[c], 1e-15) << c;
-  }
-}
-
 // A light without intensity, or one that falls to nothing before it reaches the scene, is left out.
 TEST(Illumination, LightsThatCannotReachCostNothing) {
   const Light far{.kind = LightKind::Point,

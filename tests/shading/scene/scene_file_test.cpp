@@ -38,21 +38,23 @@ TEST(SceneFile, ObjectByObject) {
   EXPECT_EQ(s.mesh.materials[s.mesh.material[130]].diffuse, glm::dvec3(0.5, 0.25, 1));
 }
 
+/// Of the first face, in the file's units.
+double roundingIn(const std::string& text) {
+  const Scene s = parsed(text);
+  return std::ldexp(s.mesh.roundingOf(0), s.exponent);
+}
+
 // The rounding of inline polygons is half a unit of the last decimal in their text. No other text matters.
 TEST(SceneFile, RoundingFromTheTextOfPolygons) {
-  const auto rounding = [](const std::string& text) {
-    const Scene s = parsed(text);
-    return std::ldexp(s.mesh.roundingOf(0), s.exponent);
-  };
-  EXPECT_EQ(rounding(withObject(R"({"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]]})")),
+  EXPECT_EQ(roundingIn(withObject(R"({"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]]})")),
             0.5 / 10 / 10);
   EXPECT_EQ(
-      rounding(withObject(
+      roundingIn(withObject(
           R"({"polygons": [[[0.250, 0, 0], [15000, 0, 0], [0, 10000, 0]]], "color": [0.12345, 0, 0]})")),
       0.5 / 10 / 10 / 10);
-  EXPECT_EQ(rounding(withObject(R"({"solid": "cube", "move": [0.12345, 0, 0]})")), 0);
+  EXPECT_EQ(roundingIn(withObject(R"({"solid": "cube", "move": [0.12345, 0, 0]})")), 0);
   // A choice of the same name does not count.
-  EXPECT_EQ(rounding(R"({"shading": {"polygons": "rows", "light": [0.12345, 0, 1]}, "objects": [
+  EXPECT_EQ(roundingIn(R"({"shading": {"polygons": "rows", "light": [0.12345, 0, 1]}, "objects": [
     {"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]]}]})"),
             0.5 / 10 / 10);
 }
@@ -221,15 +223,11 @@ TEST(SceneFile, TexturesOfMaterials) {
 
 // A turn combines the roundings of three axes, and adds the rounding of doubles.
 TEST(SceneFile, RoundingOfTurnedObjects) {
-  const auto rounding = [](const std::string& object) {
-    const Scene s = parsed(withObject(object));
-    return std::ldexp(s.mesh.roundingOf(0), s.exponent);
-  };
   EXPECT_NEAR(
-      rounding(
-          R"({"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]], "scale": [1, 2, 4], "rotate": [1, 2, 3]})"),
+      roundingIn(withObject(
+          R"({"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]], "scale": [1, 2, 4], "rotate": [1, 2, 3]})")),
       4 * std::sqrt(3.0) * 0.005, 1e-10);  // doubles at 15,000 are rounded, too
-  const double ofDoubles = rounding(R"({"solid": "cube", "rotate": [1, 2, 3]})");
+  const double ofDoubles = roundingIn(withObject(R"({"solid": "cube", "rotate": [1, 2, 3]})"));
   EXPECT_GT(ofDoubles, 0x1p-52);
   EXPECT_LT(ofDoubles, 0x1p-48);
 }
