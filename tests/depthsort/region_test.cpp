@@ -79,6 +79,11 @@ void expectExact(const SnappedScene& scene, unsigned seed, Asked& asked) {
   regions.outline(scene.faces[0], region);
   ExactRegion exact;
   for (const Side& side : region) exact.push_back({Rational{side.corner.x}, Rational{side.corner.y}});
+  const auto exactCorner = [&](std::size_t k) {
+    const Side &side = region[k], &next = region[k + 1 == region.size() ? 0 : k + 1];
+    return side.corner.exact() ? ExactPoint{Rational{side.corner.x}, Rational{side.corner.y}}
+                               : meeting(exactly(scene, side.line), exactly(scene, next.line));
+  };
   for (int cuts = 0; cuts < 5 && !region.empty(); ++cuts) {
     const Line line = randomLine(regions, scene, rng);
     const ExactLine exactLine = exactly(scene, line);
@@ -97,9 +102,7 @@ void expectExact(const SnappedScene& scene, unsigned seed, Asked& asked) {
     Signs signs;
     for (std::size_t k = 0; k < region.size(); ++k) {
       const Side &side = region[k], &next = region[k + 1 == region.size() ? 0 : k + 1];
-      const ExactPoint corner = side.corner.exact()
-                                    ? ExactPoint{Rational{side.corner.x}, Rational{side.corner.y}}
-                                    : meeting(exactly(scene, side.line), exactly(scene, next.line));
+      const ExactPoint corner = exactCorner(k);
       ASSERT_LE(abs(Rational{corner.x - Rational{side.corner.x}}), Rational{side.corner.radius});
       ASSERT_LE(abs(Rational{corner.y - Rational{side.corner.y}}), Rational{side.corner.radius});
       const int sign = signOf(valueAt(exactLine, corner));
@@ -116,10 +119,7 @@ void expectExact(const SnappedScene& scene, unsigned seed, Asked& asked) {
     ASSERT_EQ(region.empty(), exact.empty());
     // The corners are the same, except for those in the middle of a side.
     for (std::size_t k = 0; k < region.size(); ++k) {
-      const Side &side = region[k], &next = region[k + 1 == region.size() ? 0 : k + 1];
-      const ExactPoint corner = side.corner.exact()
-                                    ? ExactPoint{Rational{side.corner.x}, Rational{side.corner.y}}
-                                    : meeting(exactly(scene, side.line), exactly(scene, next.line));
+      const ExactPoint corner = exactCorner(k);
       ASSERT_TRUE(std::ranges::any_of(
           exact, [&](const ExactPoint& p) { return p.x == corner.x && p.y == corner.y; }));
     }

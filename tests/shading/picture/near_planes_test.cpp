@@ -229,6 +229,15 @@ struct Wall {
   }
 };
 
+Judgement expectNearest(const NearScene& scene) {
+  const Judgement j = judged(scene.mesh, scene.madeIn, scene.u, scene.camera, kWidth, kHeight,
+                             shownFaces(scene.mesh, scene.camera, kWidth, kHeight));
+  EXPECT_EQ(j.farther, 0);
+  EXPECT_EQ(j.lost, 0);
+  EXPECT_EQ(j.outline, 0);
+  return j;
+}
+
 // Where surfaces nearly touch, the face that is shown is the nearest, as far as the numbers of the file tell,
 // and of faces made in one plane it is the latest: by a judge that shares nothing with the program.
 // XNEWELL_NEAR_VIEWS=n makes n views of each family and prints what it counted.
@@ -241,11 +250,7 @@ TEST(NearPlanes, ShowTheNearestFaceAndTheLatestOfOnePlane) {
     for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
       SCOPED_TRACE(testing::Message() << "XNEWELL_SEED=" << seed);
       const NearScene scene = nearScene(family.id, seed, views ? 120 : 20);
-      const Judgement j = judged(scene.mesh, scene.madeIn, scene.u, scene.camera, kWidth, kHeight,
-                                 shownFaces(scene.mesh, scene.camera, kWidth, kHeight));
-      EXPECT_EQ(j.farther, 0);
-      EXPECT_EQ(j.lost, 0);
-      EXPECT_EQ(j.outline, 0);
+      const Judgement j = expectNearest(scene);
       tally.add(j);
     }
     if (views) std::cout << family.name << ": " << tally << '\n';
@@ -281,11 +286,7 @@ TEST(NearPlanes, ShowTheNearestFaceAmongCrossings) {
         scene.mesh.addFace(face, 0);
         scene.madeIn.push_back(-1);
       }
-      const Judgement j = judged(scene.mesh, scene.madeIn, scene.u, scene.camera, kWidth, kHeight,
-                                 shownFaces(scene.mesh, scene.camera, kWidth, kHeight));
-      EXPECT_EQ(j.farther, 0);
-      EXPECT_EQ(j.lost, 0);
-      EXPECT_EQ(j.outline, 0);
+      const Judgement j = expectNearest(scene);
       EXPECT_GT(j.samples, 1'000);
     }
   }

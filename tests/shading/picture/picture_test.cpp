@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <numeric>
 #include <random>
 #include <set>
@@ -235,53 +236,33 @@ TEST(Picture, KeptStagesPaintWhatFreshOnesPaint) {
   PictureSettings s = small();
   int distinct = 0, refined = 0;
   IndexImage last = painted(kept, s);
-  for (int trial = 0; trial < 200; ++trial) {
-    SCOPED_TRACE(trial);
-    switch (rng() % 14) {
-      case 0:
-        s.table.kind = kTables[rng() % kTables.size()].id;
-        break;
-      case 1:
-        s.table.shades = 2 + static_cast<int>(rng() % 239);
-        break;
-      case 2:
+  const std::vector<std::function<void()>> changes{
+      [&] { s.table.kind = kTables[rng() % kTables.size()].id; },
+      [&] { s.table.shades = 2 + static_cast<int>(rng() % 239); },
+      [&] {
         s.light.ks = static_cast<double>(rng() % 100) / 100;
         s.light.Ip = rng() % 3 ? 0.7 : 0.0;
-        break;
-      case 3:
-        s.order = kOrders[rng() % kOrders.size()].id;
-        break;
-      case 4:
-        s.cull = rng() % 2 ? Cull::Back : Cull::Keep;
-        break;
-      case 5:
-        s.width = 100 + static_cast<int>(rng() % 100);
-        break;
-      case 6:
-        s.camera = moved(s.camera, kept.last().camera(), kept.last().scene(), 20, 3, 1.05);
-        break;
-      case 7:
-        s.light.constantV = !s.light.constantV;
-        break;
-      case 8:
-        s.normals = kNormalRules[rng() % 5].id;
-        break;
-      case 9:
-        s.light.form = kForms[rng() % 3].id;
-        break;
-      case 10:
-        s.environment = kEnvironmentForms[rng() % 2].id;
-        break;
-      case 11:
+      },
+      [&] { s.order = kOrders[rng() % kOrders.size()].id; },
+      [&] { s.cull = rng() % 2 ? Cull::Back : Cull::Keep; },
+      [&] { s.width = 100 + static_cast<int>(rng() % 100); },
+      [&] { s.camera = moved(s.camera, kept.last().camera(), kept.last().scene(), 20, 3, 1.05); },
+      [&] { s.light.constantV = !s.light.constantV; },
+      [&] { s.normals = kNormalRules[rng() % 5].id; },
+      [&] { s.light.form = kForms[rng() % 3].id; },
+      [&] { s.environment = kEnvironmentForms[rng() % 2].id; },
+      [&] {
         s.table.hue = rng() % 2 ? glm::dvec3{1, 0.5, 0} : glm::dvec3{0, 1, 1};
         s.table.bits = rng() % 2 ? 8 : 16;
-        break;
-      case 12:
+      },
+      [&] {
         s.adapt = std::array{0.0, 0.1, 0.03}[rng() % 3];
-        break;
-      default:
-        s.shading = kShadings[rng() % 6].id;
-    }
+      },
+      [&] { s.shading = kShadings[rng() % 6].id; },
+  };
+  for (int trial = 0; trial < 200; ++trial) {
+    SCOPED_TRACE(trial);
+    changes[rng() % changes.size()]();
     const IndexImage image = painted(kept, s);
     PictureCache fresh{readScene("teapot", 3)};
     ASSERT_EQ(image, painted(fresh, s));

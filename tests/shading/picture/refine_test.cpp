@@ -103,30 +103,19 @@ Mesh drum() {
 
 /// A closed solid; the kinds take turns. Every fifth is a cube whose faces share no point.
 Mesh solid(unsigned seed) {
-  switch (seed % 5) {
-    case 0:
-      return sphere(9, 5);
-    case 1:
-      return torus(8, 5);
-    case 2:
-      return cube();
-    case 3:
-      return drum();
-    default: {
-      const Mesh shared = cube();
-      Mesh apart;
-      apart.groupNames = {""};
-      for (int f = 0; f < shared.faceCount(); ++f) {
-        std::vector<int> corners;
-        for (const int c : shared.face(f)) {
-          corners.push_back(static_cast<int>(apart.points.size()));
-          apart.points.push_back(shared.points[c]);
-        }
-        apart.addFace(corners, 0);
-      }
-      return apart;
+  if (seed % 5 < 4) return std::array{sphere(9, 5), torus(8, 5), cube(), drum()}[seed % 5];
+  const Mesh shared = cube();
+  Mesh apart;
+  apart.groupNames = {""};
+  for (int f = 0; f < shared.faceCount(); ++f) {
+    std::vector<int> corners;
+    for (const int c : shared.face(f)) {
+      corners.push_back(static_cast<int>(apart.points.size()));
+      apart.points.push_back(shared.points[c]);
     }
+    apart.addFace(corners, 0);
   }
+  return apart;
 }
 
 /// Spotlights from all sides and of all widths, aimed at solids about the origin, and highlights.

@@ -261,19 +261,11 @@ PictureSettings randomSettings(std::mt19937& rng) {
     c.vrp = point(), c.vpn = point(), c.vup = point(), c.prp = point();
   if (some()) c.front = number(0, 1), c.back = number(-2, -1);
   if (some()) c.window = glm::dvec4{-1, number(0, 1), -1, number(0, 1)};
-  switch (rng() % 4) {
-    case 0:
-      if (!c.window) c.fov = number(1, 179);
-      break;
-    case 1:
-      c.parallel = true, c.height = number(0.1, 9);
-      break;
-    case 2:
-      c.parallel = true;
-      break;
-    default:
-      c.oblique = Oblique{some() ? 0.5 : 1.0, number(0, 90)};
-  }
+  const unsigned kind = rng() % 4;
+  if (kind == 0 && !c.window) c.fov = number(1, 179);
+  c.parallel = kind == 1 || kind == 2;
+  if (kind == 1) c.height = number(0.1, 9);
+  if (kind == 3) c.oblique = Oblique{some() ? 0.5 : 1.0, number(0, 90)};
   Illumination& l = s.light;
   l.Ia = number(0, 0.5), l.Ip = number(0, 0.5);
   l.ka = number(0, 1), l.kd = number(0, 1), l.ks = number(0, 1), l.n = static_cast<int>(rng() % 1000);
