@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -30,21 +31,21 @@ class Students {
     settings_.camera = scene.camera, settings_.shading = method, settings_.table.kind = table;
     settings_.normals = NormalRule::Sum;
     settings_.width = 320, settings_.height = 240;
-    diagnoser_.emplace(std::move(scene), settings_);
-    world_ = studentsWorld(diagnoser_->picture());
+    diagnoser.emplace(std::move(scene), settings_);
+    world = studentsWorld(diagnoser->picture());
   }
 
   [[nodiscard]] Diagnosis diagnosed(student::Program program, bool indexed = false) {
     program.method = static_cast<char>(std::tolower(rowOf(method_).label[0]));
     program.table = kTables[static_cast<std::size_t>(table_)].name[0];
     program.width = settings_.width, program.height = settings_.height;
-    return (*diagnoser_)(handedInBy(student::draw(world_, program), indexed));
+    return (*diagnoser)(handedInBy(student::draw(world, program), indexed));
   }
 
   /// True if no sample shows the mistake: each is within `most` shades of right.
   [[nodiscard]] bool isInvisible(const std::string& key, double most) {
-    const auto right = diagnoser_->predicted(diagnoser_->approachWith(hypotheses().front()));
-    const auto other = diagnoser_->predicted(diagnoser_->approachWith(*hypothesisNamed(key)));
+    const auto right = diagnoser->predicted(diagnoser->approachWith(hypotheses().front()));
+    const auto other = diagnoser->predicted(diagnoser->approachWith(*hypothesisNamed(key)));
     for (std::size_t k = 0; k < right.size(); ++k)
       if (right[k].shows != other[k].shows || std::abs(right[k].value[0] - other[k].value[0]) > most)
         return false;
@@ -64,7 +65,7 @@ class Students {
     for (const Hypothesis& h : hypotheses()) {
       if (h.way.view) continue;  // below
       const bool lamps = h.key.starts_with("f-") || h.key == "L-place-as-direction";
-      const bool here = world_.lamp ? h.key != "L-direction-as-place" && h.key != "f-1/d2" : !lamps;
+      const bool here = world.lamp ? h.key != "L-direction-as-place" && h.key != "f-1/d2" : !lamps;
       if (h.meaning == meaning && here && (!h.applies || h.applies(settings_)) &&
           !kNotPlanted.contains(h.key) && seen.insert(h.key).second)
         all.emplace_back(h.key);
@@ -72,12 +73,13 @@ class Students {
     return all;
   }
 
+  std::optional<Diagnoser> diagnoser;
+  student::World world;
+
  private:
   Shading method_;
   TableKind table_;
   PictureSettings settings_;
-  std::optional<Diagnoser> diagnoser_;
-  student::World world_;
 };
 
 bool isRight(const Diagnosis& d) { return d.verdict == Marking::Right || d.verdict == Marking::Allowed; }
@@ -264,11 +266,9 @@ TEST(Diagnose, TellsTwoAtOnce) {
 // Another camera, another size and an empty picture are another scene; the pixel where a mistake shows has
 // the picture's own value.
 TEST(Diagnose, LooksAtOutlinesFirst) {
-  Scene scene = readScene("bench-n3");
-  PictureSettings s = scene.settings;
-  s.camera = scene.camera, s.width = 320, s.height = 240;
-  Diagnoser diagnoser{std::move(scene), s};
-  student::World world = studentsWorld(diagnoser.picture());
+  Students students{"bench-n3", Shading::Flat, TableKind::Linear};
+  Diagnoser& diagnoser = *students.diagnoser;
+  student::World& world = students.world;
   student::Program program{.mistake = "L-sign", .width = 320, .height = 240};
   const student::Result drawn = student::draw(world, program);
   const Diagnosis wrong = diagnoser(handedInBy(drawn));
@@ -297,15 +297,9 @@ TEST(Diagnose, LooksAtOutlinesFirst) {
 
 // Other numbers are told as numbers: y and z of the light swapped.
 TEST(Diagnose, TriesLikelyNumbers) {
-  Scene scene = readScene("bench-n3");
-  PictureSettings s = scene.settings;
-  s.camera = scene.camera, s.width = 320, s.height = 240;
-  Diagnoser diagnoser{std::move(scene), s};
-  const student::World world = studentsWorld(diagnoser.picture());
-  const student::Program program{.width = 320, .height = 240};
-  student::World other = world;
-  std::swap(other.light[1], other.light[2]);
-  const Diagnosis d = diagnoser(handedInBy(student::draw(other, program)));
+  Students students{"bench-n3", Shading::Flat, TableKind::Linear};
+  std::swap(students.world.light[1], students.world.light[2]);
+  const Diagnosis d = students.diagnosed({});
   ASSERT_EQ(d.verdict, Marking::Numbers);
   EXPECT_EQ(d.found[0].first->key, "light-yz");
 }
@@ -359,37 +353,13 @@ class Viewer {
   student::Program program;
 };
 
-const std::vector<std::string> kPlanted{"view-T-after-R",
-                                        "view-S-first",
-                                        "R-angles-negated",
-                                        "R-in-degrees",
-                                        "fov-in-degrees",
-                                        "R-transposed",
-                                        "view-transposed",
-                                        "rows-for-columns",
-                                        "R-wrong-axis",
-                                        "w-not-divided",
-                                        "divided-before-clipping",
-                                        "aspect-inverted",
-                                        "aspect-forgotten",
-                                        "fov-not-halved",
-                                        "fov-horizontal",
-                                        "v-is-VUP",
-                                        "VPN-reversed",
-                                        "u-left-handed",
-                                        "eye-and-look-at-exchanged",
-                                        "shear-forgotten",
-                                        "shear-negated",
-                                        "window-centre-forgotten",
-                                        "viewport-half-pixel",
-                                        "viewport-one-short",
-                                        "flip-y",
-                                        "near-plane-negated",
-                                        "z-not-kept",
-                                        "N-not-turned",
-                                        "N-by-M",
-                                        "N-scaled",
-                                        "L-not-moved"};
+constexpr const char* kPlanted =
+    "view-T-after-R view-S-first R-angles-negated R-in-degrees fov-in-degrees R-transposed "
+    "view-transposed rows-for-columns R-wrong-axis w-not-divided divided-before-clipping "
+    "aspect-inverted aspect-forgotten fov-not-halved fov-horizontal v-is-VUP VPN-reversed "
+    "u-left-handed eye-and-look-at-exchanged shear-forgotten shear-negated "
+    "window-centre-forgotten viewport-half-pixel viewport-one-short flip-y near-plane-negated "
+    "z-not-kept N-not-turned N-by-M N-scaled L-not-moved";
 
 // Each mistake of the viewing transformation, planted on three scenes, gets its name or a class with it, and
 // none a wrong name. A mistake that changes no pixel is right.
@@ -399,7 +369,8 @@ TEST(View, NamesThePlantedMistake) {
   for (const Looks& looks : kLooks) {
     Viewer viewer{looks};
     const auto right = student::draw(viewer.world, viewer.program).cell;
-    for (const std::string& key : kPlanted) {
+    std::istringstream keys{kPlanted};
+    for (std::string key; keys >> key;) {
       const Diagnosis d = viewer.diagnosed(key);
       if (student::draw(viewer.world, viewer.program).cell == right) continue;
       ++planted;

@@ -34,16 +34,17 @@ namespace {
 //   notes: lecture notes on the lighting equation: I = A kA + L kD cos(theta) + L kS [(2N(N.L) - L).V]^p.
 //   tutorial: the demo coders' tutorial: c = ambient + cos x diffuse + (cos x)^n specular.
 
-/// A square that faces the viewer, from z = 0. N and V are (0, 0, 1) in its middle.
-Picture squareLitFrom(const glm::dvec3& L, const Illumination& light, TableKind table) {
+/// A square that faces the viewer, from z = 0.
+Mesh card() {
   Mesh mesh;
-  mesh.groupNames = {""};
-  std::vector<int> face;
-  for (const glm::dvec2 d : {glm::dvec2{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-    face.push_back(static_cast<int>(mesh.points.size()));
-    mesh.points.push_back({d, 0});
-  }
-  mesh.addFace(face, 0);
+  mesh.groupNames = {"card"};
+  mesh.points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  mesh.addFace(std::array{0, 1, 2, 3}, 0);
+  return mesh;
+}
+
+/// N and V are (0, 0, 1) in its middle.
+Picture squareLitFrom(const glm::dvec3& L, const Illumination& light, TableKind table) {
   PictureSettings s;
   s.width = s.height = 40;
   s.shading = Shading::Flat;
@@ -54,7 +55,7 @@ Picture squareLitFrom(const glm::dvec3& L, const Illumination& light, TableKind 
   s.light = light;
   s.light.light = L;
   s.table.kind = table;
-  return makePicture(makeScene("square", mesh, UpAxis::Y), s, 8);
+  return makePicture(makeScene("square", card(), UpAxis::Y), s, 8);
 }
 
 struct Chain {
@@ -278,19 +279,15 @@ glm::dvec3 dividedAt(const ViewingStory& story, ViewStage stage, const glm::dvec
   return glm::dvec3{h} / h.w;
 }
 
-/// A card at z = 0 that faces the eye at (0, 0, 5), lit along L.
+/// The card, lit along L.
 Picture cardLitFrom(const glm::dvec3& L, const CameraSettings& camera, double Ia = 0.0, double Ip = 1.0) {
-  Mesh mesh;
-  mesh.groupNames = {"card"};
-  mesh.points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-  mesh.addFace(std::array{0, 1, 2, 3}, 0);
   PictureSettings s;
   s.width = s.height = 64;
   s.shading = Shading::Flat;
   s.camera = camera;
   s.light.light = L, s.light.Ia = Ia, s.light.Ip = Ip;
   s.light.kd = 1.0, s.light.ks = 0.0;
-  return makePicture(makeScene("card", mesh, UpAxis::Y), s, 8);
+  return makePicture(makeScene("card", card(), UpAxis::Y), s, 8);
 }
 
 /// The eye is 4 in front of the card and 4 to the left of the middle of its window.

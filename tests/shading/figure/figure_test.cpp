@@ -41,21 +41,24 @@ VectorFigure figureOf(const Picture& picture, FigureColors colors, int strip = k
                     picture.palette(CellPlan{picture.settings().table.kind}), colors, {}, strip);
 }
 
-/// How often the loops of a path wind around a point that is in no corner's row.
-int winding(const FigurePath& path, double x, double y) {
+/// How often the loops of a path wind around a point, by a ray to its left.
+template <class T>
+int winding(const FigurePath& path, T x, T y) {
   int turns = 0;
   for (const FigureLoop& loop : path.loops)
     for (std::size_t k = 0; k < loop.size(); ++k) {
-      const glm::ivec2 a = loop[k], b = loop[k + 1 == loop.size() ? 0 : k + 1];
-      if ((a.y < y) == (b.y < y)) continue;
-      const double at = a.x + (y - a.y) * (b.x - a.x) / (b.y - a.y);
-      if (at > x) turns += a.y < b.y ? 1 : -1;
+      const glm::vec<2, T> a{loop[k]}, b{loop[(k + 1) % loop.size()]};
+      if ((a.y <= y) == (b.y <= y)) continue;
+      // The ray meets the side where this is not negative.
+      const T left = ((x - a.x) * (b.y - a.y) - (y - a.y) * (b.x - a.x)) * (b.y > a.y ? 1 : -1);
+      if (left >= 0) turns += b.y > a.y ? 1 : -1;
     }
   return turns;
 }
 
-/// What paths show at a point: none where none lies.
-const FigureColor* colorAt(const VectorFigure& figure, double x, double y) {
+/// What paths show at a point: none where none lies. Each path is asked.
+template <class T>
+const FigureColor* colorAt(const VectorFigure& figure, T x, T y) {
   for (auto path = figure.paths.rbegin(); path != figure.paths.rend(); ++path)
     if (winding(*path, x, y) != 0) return &path->color;
   return nullptr;
@@ -301,26 +304,6 @@ TEST(VectorFigure, KnowsItsFormatsByTheEndOfTheName) {
 
 /// ---- Figures that cannot be made
 
-/// The colour of the last path that winds around a sample: each path is asked anew at each sample.
-FigureColor lastAround(const VectorFigure& figure, int i, int j, FigureColor ground) {
-  const std::int64_t x = std::int64_t{i} * kFigureSteps + kFigureSteps / 2,
-                     y = std::int64_t{j} * kFigureSteps + kFigureSteps / 2;
-  FigureColor shown = ground;
-  for (const FigurePath& path : figure.paths) {
-    int turns = 0;
-    for (const FigureLoop& loop : path.loops)
-      for (std::size_t k = 0; k < loop.size(); ++k) {
-        const glm::i64vec2 a = loop[k], b = loop[(k + 1) % loop.size()];
-        if ((a.y <= y) == (b.y <= y)) continue;
-        // The ray to the left meets the side where this is not negative.
-        const std::int64_t left = ((x - a.x) * (b.y - a.y) - (y - a.y) * (b.x - a.x)) * (b.y > a.y ? 1 : -1);
-        if (left >= 0) turns += b.y > a.y ? 1 : -1;
-      }
-    if (turns != 0) shown = path.color;
-  }
-  return shown;
-}
-
 // Random paths, some of whose corners lie at samples and outside of the page, against a test of each sample.
 TEST(FigureErrors, ColorsAtSamplesAreThoseOfTheLastPathAroundThem) {
   std::mt19937 dice{43};
@@ -345,7 +328,9 @@ TEST(FigureErrors, ColorsAtSamplesAreThoseOfTheLastPathAroundThem) {
     ASSERT_EQ(colors.size(), 12u * 9u);
     for (int j = 0; j < 9; ++j)
       for (int i = 0; i < 12; ++i) {
-        const FigureColor due = lastAround(figure, i, j, ground);
+        const FigureColor* const last =
+            colorAt(figure, std::int64_t{256 * i + 128}, std::int64_t{256 * j + 128});
+        const FigureColor due = last ? *last : ground;
         ASSERT_EQ(colors[j * 12 + i], due) << round << ": " << i << "," << j;
         shown += due != ground;
       }
