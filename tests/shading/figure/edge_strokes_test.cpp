@@ -9,14 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "geometry/files/parse_error.h"
 #include "shading/figure/edge_strokes.h"
 #include "shading/figure/hiding_polygons.h"
 #include "shading/figure/make_figure.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene.h"
 #include "shading/scene/scene_file.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/reader_fixture.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -182,23 +181,18 @@ TEST(MarkStrokes, FacesHideLabels) {
 }
 
 TEST(MarkStrokes, FilesAreChecked) {
-  const auto complaint = [](const std::string& marks) -> std::string {
-    try {
-      (void)figureWith(marks, ModelEdges::None);
-    } catch (const ParseError& e) {
-      const std::string what = e.what();
-      return what.substr(what.find(": ") + 2);
-    }
-    return "";
+  const auto complaintAbout = [](const std::string& marks) {
+    const std::string what = complaint([&] { return figureWith(marks, ModelEdges::None); });
+    return what.substr(what.empty() ? 0 : what.find(": ") + 2);
   };
-  EXPECT_EQ(complaint(R"("labels": [{"text": "W\u00FCrfel 1", "at": [0, 0, 1]
+  EXPECT_EQ(complaintAbout(R"("labels": [{"text": "W\u00FCrfel 1", "at": [0, 0, 1]
 }])"),
             "");
-  EXPECT_EQ(complaint(R"("labels": [{"text": "\u4E2D", "at": [0, 0, 1]}])"),
+  EXPECT_EQ(complaintAbout(R"("labels": [{"text": "\u4E2D", "at": [0, 0, 1]}])"),
             "labels[0].text: a label needs characters of Latin-1, Greek or mathematics");
-  EXPECT_EQ(complaint(R"("lines": [{"points": [[0, 0, 1]]}])"),
+  EXPECT_EQ(complaintAbout(R"("lines": [{"points": [[0, 0, 1]]}])"),
             "lines[0].points: a line needs at least 2 points");
-  EXPECT_EQ(complaint(R"("lines": [{"points": [[0, 0, 1], [1, 0, 0]], "width": 0}])"),
+  EXPECT_EQ(complaintAbout(R"("lines": [{"points": [[0, 0, 1], [1, 0, 0]], "width": 0}])"),
             "lines[0].width: a number above 0 is needed");
 }
 
