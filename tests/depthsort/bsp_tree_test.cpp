@@ -10,7 +10,6 @@
 #include "geometry/model/solids.h"
 #include "geometry/view/camera.h"
 #include "tests/bench/triangulated.h"
-#include "tests/support/exact_region.h"
 #include "tests/support/painted.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
@@ -81,53 +80,6 @@ TEST(BspTree, ShowsTheNearestFaceAtEverySample) {
   EXPECT_GT(splits, 5'000);
   EXPECT_GT(together, 1'000);
   EXPECT_GT(covered, 100'000);
-}
-
-// What the tree says is true of the fragments themselves, in rational arithmetic: at every sample of a
-// fragment, it lies on the side of each plane above it in the tree on which it stands.
-TEST(BspTree, EachFragmentLiesOnItsSideOfEachPlane) {
-  const Seeds seeds{96};
-  constexpr int kSize = 10;
-  std::int64_t asked = 0;
-  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
-    SCOPED_TRACE(seed);
-    const SnappedScene scene = randomScene(seed, 10, kSize);
-    const BspTree tree = bspTree(scene, {.width = kSize, .height = kSize});
-    const auto planeOf = [&](const Fragment& f) -> const ScreenPlane& {
-      return scene.planes[scene.faces[f.face].plane];
-    };
-    struct Above {
-      int node;
-      bool front;
-    };
-    std::vector<Above> path;
-    const auto walk = [&](const auto& self, int node) -> void {
-      if (node < 0) return;
-      const BspNode& n = tree.nodes[node];
-      for (int k = n.first; k < n.first + n.count; ++k) {
-        const Fragment& fragment = tree.sorted.fragments[k];
-        ASSERT_TRUE(samePlane(planeOf(fragment), planeOf(tree.sorted.fragments[n.first])));
-        const ExactRegion region = exactFragment(scene, tree.sorted, fragment);
-        for (int j = 0; j < kSize; ++j)
-          for (int i = 0; i < kSize; ++i) {
-            if (!exactlyCovers(region, i, j)) continue;
-            for (const Above& above : path) {
-              const ScreenPlane& plane = planeOf(tree.sorted.fragments[tree.nodes[above.node].first]);
-              ASSERT_EQ(nearer(planeOf(fragment), plane, i, j), above.front ? 1 : -1);
-              ++asked;
-            }
-          }
-      }
-      path.push_back({node, false});
-      self(self, n.behind);
-      path.back().front = true;
-      self(self, n.front);
-      path.pop_back();
-    };
-    walk(walk, tree.nodes.empty() ? -1 : 0);
-  }
-  if (!seeds.all()) return;
-  EXPECT_GT(asked, 10'000);
 }
 
 // Nothing, and one face, and many copies of one face.

@@ -1,10 +1,12 @@
-#include "depthsort/region.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
+#include "depthsort/box_grid.h"
+#include "depthsort/fragment_spans.h"
+#include "depthsort/region.h"
+#include "depthsort/samples.h"
 #include "tests/support/exact_region.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
@@ -12,6 +14,8 @@
 namespace xnewell::THIS_FILE {
 
 namespace {
+
+/// ---- Regions
 
 ExactLine exactly(const SnappedScene& scene, const Line& line) {
   return line.kind == Line::Kind::Edge ? exactEdge(scene.vertices[line.p], scene.vertices[line.q])
@@ -75,6 +79,11 @@ void expectExact(const SnappedScene& scene, unsigned seed, Asked& asked) {
   regions.outline(scene.faces[0], region);
   ExactRegion exact;
   for (const Side& side : region) exact.push_back({Rational{side.corner.x}, Rational{side.corner.y}});
+  const auto exactCorner = [&](std::size_t k) {
+    const Side &side = region[k], &next = region[k + 1 == region.size() ? 0 : k + 1];
+    return side.corner.exact() ? ExactPoint{Rational{side.corner.x}, Rational{side.corner.y}}
+                               : meeting(exactly(scene, side.line), exactly(scene, next.line));
+  };
   for (int cuts = 0; cuts < 5 && !region.empty(); ++cuts) {
     const Line line = randomLine(regions, scene, rng);
     const ExactLine exactLine = exactly(scene, line);
@@ -93,9 +102,7 @@ void expectExact(const SnappedScene& scene, unsigned seed, Asked& asked) {
     Signs signs;
     for (std::size_t k = 0; k < region.size(); ++k) {
       const Side &side = region[k], &next = region[k + 1 == region.size() ? 0 : k + 1];
-      const ExactPoint corner = side.corner.exact()
-                                    ? ExactPoint{Rational{side.corner.x}, Rational{side.corner.y}}
-                                    : meeting(exactly(scene, side.line), exactly(scene, next.line));
+      const ExactPoint corner = exactCorner(k);
       ASSERT_LE(abs(Rational{corner.x - Rational{side.corner.x}}), Rational{side.corner.radius});
       ASSERT_LE(abs(Rational{corner.y - Rational{side.corner.y}}), Rational{side.corner.radius});
       const int sign = signOf(valueAt(exactLine, corner));
@@ -112,10 +119,7 @@ void expectExact(const SnappedScene& scene, unsigned seed, Asked& asked) {
     ASSERT_EQ(region.empty(), exact.empty());
     // The corners are the same, except for those in the middle of a side.
     for (std::size_t k = 0; k < region.size(); ++k) {
-      const Side &side = region[k], &next = region[k + 1 == region.size() ? 0 : k + 1];
-      const ExactPoint corner = side.corner.exact()
-                                    ? ExactPoint{Rational{side.corner.x}, Rational{side.corner.y}}
-                                    : meeting(exactly(scene, side.line), exactly(scene, next.line));
+      const ExactPoint corner = exactCorner(k);
       ASSERT_TRUE(std::ranges::any_of(
           exact, [&](const ExactPoint& p) { return p.x == corner.x && p.y == corner.y; }));
     }
@@ -124,8 +128,6 @@ void expectExact(const SnappedScene& scene, unsigned seed, Asked& asked) {
           region, [&](const Side& side) { return valueAt(exactly(scene, side.line), p) == 0; }));
   }
 }
-
-}  // namespace
 
 // The coefficients, corners, signs and clips agree with rational arithmetic, in scenes of every kind.
 TEST(Region, IsExact) {
@@ -167,5 +169,226 @@ TEST(Region, SmallNegativeConstantOfACut) {
   EXPECT_EQ(regions.cut(1, 0).c, 3.0);
   EXPECT_FALSE(regions.samePlane(0, 1));
 }
+
+/// ---- Samples of fragments
+
+/// The sign by the definition of the sample rule, in rational arithmetic.
+int exactSignAtSample(const ExactLine& line, int i, int j) {
+  const Rational value = valueAt(line, {Rational{2 * i + 1, 2} * kGrid, Rational{2 * j + 1, 2} * kGrid});
+  return (value != 0 ? value : line.a != 0 ? line.a : line.b).sign();
+}
+
+// The sides of samples, and their owners, agree with rational arithmetic. The regions are parts of faces
+// clipped by the planes of others, many of them thin, in pictures that do not show them whole.
+TEST(Samples, AreOwnedByTheRule) {
+  const Seeds seeds{1600};
+  int owning = 0, empty = 0, ties = 0, asked = 0;
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 rng{seed};
+    const int width = 1 + static_cast<int>(rng() % 12), height = 1 + static_cast<int>(rng() % 12);
+    const SnappedScene scene = randomScene(seed, 5, 12);
+    const Regions regions{scene};
+    Region region;
+    regions.outline(scene.faces[0], region);
+    ExactRegion exact = exactOutline(scene, scene.faces[0]);
+    for (std::size_t f = 0; f < scene.faces.size() && !region.empty(); ++f) {
+      const int over = scene.faces[0].plane, under = scene.faces[f].plane;
+      if (!regions.samePlane(over, under)) {
+        const Line cut = regions.cut(over, under);
+        const ExactLine exactCut = exactDifference(scene.planes[over], scene.planes[under]);
+        for (int k = 0; k < 4; ++k) {
+          const int i = static_cast<int>(rng() % 12), j = static_cast<int>(rng() % 12);
+          ASSERT_EQ(signAtSample(scene, cut, i, j), exactSignAtSample(exactCut, i, j));
+          ties += valueAt(exactCut, {Rational{2 * i + 1, 2} * kGrid, Rational{2 * j + 1, 2} * kGrid}) == 0;
+          ++asked;
+        }
+        const bool flip = rng() % 2;
+        regions.clip(region, flip ? Regions::flipped(cut) : cut);
+        exact = clipped(exact, flip ? exactDifference(scene.planes[under], scene.planes[over]) : exactCut);
+      }
+      if (region.empty()) break;
+      const bool owns = exactlyOwnsSample(exact, width, height);
+      ASSERT_EQ(ownsSample(scene, region, width, height), owns);
+      ++(owns ? owning : empty);
+    }
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(owning, 1'500);
+  EXPECT_GT(empty, 500);
+  EXPECT_GT(asked, 8'000);
+  EXPECT_GT(ties, 20);
+}
+
+// A face that is left out owns no sample. Every face that owns no sample, and whose box has at most four
+// samples, is left out.
+TEST(Samples, MayOwnIsFalseOnlyWhereNoneIsOwned) {
+  const Seeds seeds{3200};
+  int may = 0, none = 0, needless = 0;
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SCOPED_TRACE(seed);
+    const int width = 1 + static_cast<int>(seed % 10), height = 1 + static_cast<int>(seed % 9);
+    for (const SnappedScene& scene : {randomScene(seed, 3, 10), randomScene(SceneKind::Tiny, seed, 3, 10)})
+      for (const SnappedFace& face : scene.faces) {
+        const glm::ivec3* const v = &scene.vertices[face.first];
+        const auto [x0, x1] =
+            std::minmax_element(v, v + face.count, [](auto& a, auto& b) { return a.x < b.x; });
+        const auto [y0, y1] =
+            std::minmax_element(v, v + face.count, [](auto& a, auto& b) { return a.y < b.y; });
+        const bool owns = exactlyOwnsSample(exactOutline(scene, face), width, height);
+        const bool mayOwn = mayOwnSample(scene, face, {x0->x, y0->y, x1->x, y1->y}, width, height);
+        ASSERT_TRUE(mayOwn || !owns);
+        if (x1->x - x0->x < 2 * kGrid && y1->y - y0->y < 2 * kGrid) {
+          ASSERT_EQ(mayOwn, owns);
+        }
+        ++(mayOwn ? may : none);
+        needless += mayOwn && !owns;
+      }
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(may, 5'000);
+  EXPECT_GT(none, 2'000);
+  EXPECT_GT(needless, 0);
+}
+
+// A region is thick if 2 area / diameter is more than 64 steps.
+TEST(Samples, WideIsThickerThanTheBound) {
+  const auto rectangle = [](int wide, int high) {
+    SnappedScene scene;
+    addFace(scene, {{0, 0, 0}, {0, high, 0}, {wide, high, 0}, {wide, 0, 0}});
+    Region region;
+    Regions{scene}.outline(scene.faces[0], region);
+    return region;
+  };
+  EXPECT_FALSE(isWide(rectangle(1 << 20, 31)));
+  EXPECT_FALSE(isWide(rectangle(31, 1 << 20)));
+  EXPECT_TRUE(isWide(rectangle(1 << 20, 33)));
+  EXPECT_TRUE(isWide(rectangle(33, 1 << 20)));
+}
+
+// A walk along a cut leaves the columns of a row that are on its side, in rational arithmetic too.
+TEST(FragmentSpans, CutWalkLeavesWhatIsOnItsSide) {
+  const Seeds seeds{800};
+  int some = 0, allOrNone = 0, level = 0;
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SCOPED_TRACE(seed);
+    const SnappedScene scene = randomScene(seed, 4, 40);
+    for (int p = 0; p < static_cast<int>(scene.planes.size()); ++p)
+      for (int q = 0; q < static_cast<int>(scene.planes.size()); ++q) {
+        const ExactLine difference = exactDifference(scene.planes[p], scene.planes[q]);
+        if (difference.a == 0 && difference.b == 0) continue;
+        const CutWalk walk{scene, {p, q}};
+        for (int row = 0; row < 40; row += 7) {
+          const Columns all{row / 3, 40 - row / 2};
+          Columns kept = all;
+          walk.clip(row, kept);
+          for (int i = all.from; i < all.to; ++i)
+            ASSERT_EQ(kept.from <= i && i<kept.to, exactSignAtSample(difference, i, row)> 0)
+                << "row " << row << ", column " << i;
+          const int count = std::max(0, kept.to - kept.from);
+          ++(count > 0 && count < all.to - all.from ? some : allOrNone);
+          level += difference.a == 0;
+        }
+      }
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(some, 2'000);
+  EXPECT_GT(allOrNone, 2'000);
+  EXPECT_GT(level, 100);
+}
+
+/// ---- Boxes in a grid
+
+constexpr int kLimit = 1 << 29;
+
+/// Boxes of one kind: any size, small, strips along x or y, all sizes mixed, points, at the limits.
+std::vector<ScreenBox> randomBoxes(unsigned seed, int count) {
+  std::mt19937 rng{seed};
+  const auto uniform = [&](int low, int high) { return std::uniform_int_distribution{low, high}(rng); };
+  const int kind = static_cast<int>(seed % 7), area = 1 << uniform(4, 29);
+  std::vector<ScreenBox> boxes;
+  while (static_cast<int>(boxes.size()) < count) {
+    const auto length = [&](bool along) {
+      switch (kind) {
+        case 0:
+          return uniform(0, 2 * area);
+        case 1:
+          return uniform(0, area / 16);
+        case 2:
+          return along ? area : uniform(0, area / 64);
+        case 3:
+          return along ? uniform(0, area / 64) : area;
+        case 4:
+          return uniform(0, 1 << uniform(0, 30));
+        case 5:
+          return 0;
+        default:
+          return uniform(0, 2) * kLimit;
+      }
+    };
+    const int wide = length(true), high = length(false);
+    const int x = kind == 6 ? -kLimit : uniform(-area, area), y = kind == 6 ? -kLimit : uniform(-area, area);
+    const auto end = [](int from, int by) {
+      return static_cast<int>(std::min<std::int64_t>(kLimit, std::int64_t{from} + by));
+    };
+    boxes.push_back({x, y, end(x, wide), end(y, high)});
+  }
+  return boxes;
+}
+
+ScreenBox within(const ScreenBox& b, std::mt19937& rng) {
+  const auto uniform = [&](int low, int high) { return std::uniform_int_distribution{low, high}(rng); };
+  const int x0 = uniform(b.x0, b.x1), y0 = uniform(b.y0, b.y1);
+  return {x0, y0, uniform(x0, b.x1), uniform(y0, b.y1)};
+}
+
+// A walk for a box visits no cell twice and reaches every box that overlaps it. If the box shrinks on the
+// way, the walk reaches every box that overlaps what is left at the end.
+TEST(BoxGrid, WalkFindsAllThatOverlap) {
+  long long overlaps = 0, visited = 0, all = 0;
+  std::size_t mostCells = 0;
+  for (unsigned seed = 0; seed < 700; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 rng{seed};
+    const std::vector<ScreenBox> boxes = randomBoxes(seed, 1 + static_cast<int>(seed) % 150);
+    for (const bool fine : {true, false}) {
+      const BoxGrid grid{boxes, fine};
+      mostCells = std::max(mostCells, static_cast<std::size_t>(grid.cells()));
+      if (!fine) {
+        ASSERT_EQ(grid.cells(), 1);
+      }
+      for (const ScreenBox& b : boxes) {
+        ASSERT_GE(grid.cellOf(b), 0);
+        ASSERT_LT(grid.cellOf(b), grid.cells());
+      }
+      for (const ScreenBox& whole : boxes)
+        for (const bool shrinks : {false, true}) {
+          std::vector<int> visits(grid.cells());
+          ScreenBox box = whole;
+          BoxGrid::Place place;
+          while (grid.settle(box, place)) {
+            ASSERT_LT(grid.cell(place), grid.cells());
+            ++visits[grid.cell(place)];
+            if (shrinks && rng() % 8 == 0) box = within(box, rng);
+            ++place.column;
+          }
+          ASSERT_LE(*std::ranges::max_element(visits), 1);
+          for (const ScreenBox& other : boxes) {
+            const int found = visits[grid.cellOf(other)];
+            if (box.overlaps(other)) {
+              ASSERT_EQ(found, 1);
+            }
+            overlaps += box.overlaps(other);
+            if (fine && !shrinks) visited += found, ++all;
+          }
+        }
+    }
+  }
+  EXPECT_GT(overlaps, 100'000);
+  EXPECT_GT(mostCells, 150u);
+  EXPECT_LT(visited, all * 2 / 3);  // otherwise a single cell would do as well
+}
+
+}  // namespace
 
 }  // namespace xnewell::THIS_FILE

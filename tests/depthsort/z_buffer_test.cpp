@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_int.hpp>
-#include <cmath>
 
 #include "depthsort/oracle.h"
 #include "geometry/model/solids.h"
 #include "geometry/view/camera.h"
 #include "tests/bench/triangulated.h"
+#include "tests/support/exact_region.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
 
@@ -17,7 +16,6 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-using Rational = boost::multiprecision::cpp_rational;
 using Integer = boost::multiprecision::cpp_int;
 
 /// A view whose z runs over all the steps that a snapped scene may have: zF is 2^30 steps.
@@ -29,53 +27,19 @@ ViewSpec viewOf(int size) {
   return view;
 }
 
-/// The judge. It knows a triangle by its vertices alone, in pixels and steps, and solves for z by barycentric
-/// coordinates.
-struct RationalTriangle {
-  std::array<std::array<Rational, 3>, 3> v;
-
-  RationalTriangle(const SnappedScene& scene, const SnappedFace& face) {
-    for (int k = 0; k < 3; ++k) {
-      const glm::ivec3& p = scene.vertices[face.first + k];
-      v[k] = {Rational{p.x, 65536}, Rational{p.y, 65536}, Rational{p.z}};
-    }
-  }
-  static Rational area(const Rational& ux, const Rational& uy, const Rational& vx, const Rational& vy) {
-    return ux * vy - uy * vx;
-  }
-  /// True if the centre of pixel (i, j), moved by (e, e^2), is inside.
-  [[nodiscard]] bool covers(int i, int j) const {
-    for (int k = 0; k < 3; ++k) {
-      const auto &a = v[k], &b = v[(k + 1) % 3];
-      const Rational dx = b[0] - a[0], dy = b[1] - a[1];
-      const Rational side = dy * (Rational{2 * i + 1, 2} - a[0]) - dx * (Rational{2 * j + 1, 2} - a[1]);
-      const Rational minusDx = -dx;
-      const Rational& decides = side != 0 ? side : dy != 0 ? dy : minusDx;
-      if (decides < 0) return false;
-    }
-    return true;
-  }
-  [[nodiscard]] Rational z(int i, int j) const {
-    const Rational x{2 * i + 1, 2}, y{2 * j + 1, 2};
-    const auto &a = v[0], &b = v[1], &c = v[2];
-    const Rational whole = area(b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]);
-    const Rational s = area(x - a[0], y - a[1], c[0] - a[0], c[1] - a[1]) / whole;
-    const Rational t = area(b[0] - a[0], b[1] - a[1], x - a[0], y - a[1]) / whole;
-    return a[2] + s * (b[2] - a[2]) + t * (c[2] - a[2]);
-  }
-  /// What the doubles may be off by, in z steps: 2^-48 of the depths, extended to the whole of the box.
-  [[nodiscard]] Rational rounding() const {
-    const auto extent = [&](int axis) -> Rational {
-      return std::max({v[0][axis], v[1][axis], v[2][axis]}) - std::min({v[0][axis], v[1][axis], v[2][axis]});
-    };
-    const auto &a = v[0], &b = v[1], &c = v[2];
-    const Rational whole = abs(area(b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]));
-    const Rational right = abs(area(b[2] - a[2], b[1] - a[1], c[2] - a[2], c[1] - a[1])) / whole;
-    const Rational down = abs(area(b[0] - a[0], b[2] - a[2], c[0] - a[0], c[2] - a[2])) / whole;
-    const Rational depths = right * extent(0) + down * extent(1) + std::max({a[2], b[2], c[2]});
-    return depths / pow(Integer{2}, 48);
-  }
-};
+/// What the doubles may be off by, in z steps: 2^-48 of the depths, extended to the whole of the box.
+Rational roundingOf(const RationalFace& face) {
+  const auto& [a, b, c] = face.v;
+  const auto extent = [&](int axis) -> Rational {
+    return std::max({a[axis], b[axis], c[axis]}) - std::min({a[axis], b[axis], c[axis]});
+  };
+  const auto area = RationalFace::area;
+  const Rational whole = abs(area(b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]));
+  const Rational right = abs(area(b[2] - a[2], b[1] - a[1], c[2] - a[2], c[1] - a[1])) / whole;
+  const Rational down = abs(area(b[0] - a[0], b[2] - a[2], c[0] - a[0], c[2] - a[2])) / whole;
+  const Rational depths = right * extent(0) + down * extent(1) + std::max({a[2], b[2], c[2]});
+  return depths / pow(Integer{2}, 48);
+}
 
 Integer floorOf(const Rational& r) {
   const Integer n = numerator(r), d = denominator(r);
@@ -104,7 +68,7 @@ TEST(ZBuffer, KeepsTheLastFaceOfTheLargestLevel) {
   int certain = 0, contested = 0;
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
     const SnappedScene scene = randomTriangles(seed, 12, kSize);
-    std::vector<RationalTriangle> faces;
+    std::vector<RationalFace> faces;
     for (const SnappedFace& f : scene.faces) faces.emplace_back(scene, f);
     const std::vector<int> visible = visibleFaces(scene, kSize, kSize);
     for (int which = 0; which < 3; ++which) {
@@ -120,7 +84,7 @@ TEST(ZBuffer, KeepsTheLastFaceOfTheLargestLevel) {
           bool clear = true;
           for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
             if (!faces[f].covers(i, j)) continue;
-            const Rational z = faces[f].z(i, j), off = faces[f].rounding();
+            const Rational z = faces[f].z(i, j), off = roundingOf(faces[f]);
             const Integer level = levelOf(z, bits);
             clear &= levelOf(z - off, bits) == level && levelOf(z + off, bits) == level;
             if (covering == 0 || z > nearest) nearest = z;
@@ -136,10 +100,10 @@ TEST(ZBuffer, KeepsTheLastFaceOfTheLargestLevel) {
             ++certain;
           }
           const Rational behind = nearest - faces[shown].z(i, j);
-          Rational most = quantum(bits) + faces[shown].rounding();
-          for (const RationalTriangle& f : faces)
+          Rational most = quantum(bits) + roundingOf(faces[shown]);
+          for (const RationalFace& f : faces)
             if (f.covers(i, j))
-              most = std::max<Rational>(most, quantum(bits) + f.rounding() + faces[shown].rounding());
+              most = std::max<Rational>(most, quantum(bits) + roundingOf(f) + roundingOf(faces[shown]));
           ASSERT_LE(behind, most) << "sample " << i << ", " << j;
           fought[which] += behind > 0;
           // Where all others are farther by more than that, the oracle and the buffer agree.

@@ -1,19 +1,19 @@
-#include "geometry/files/obj.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
-#include <cstdio>
 
+#include "geometry/files/mtl.h"
+#include "geometry/files/obj.h"
 #include "tests/support/reader_fixture.h"
 
 namespace xnewell::THIS_FILE {
 
-using testing::ElementsAre;
-
 namespace {
+
+/// ---- OBJ
+
+using testing::ElementsAre;
 
 /// The mesh of a text without libraries.
 Mesh meshOf(std::string_view text) { return parseObj(text, "a.obj", "no such folder"); }
@@ -24,20 +24,6 @@ std::string complaintOf(std::string_view text) {
 
 /// Three vertices before the text that a test is about, which is then on line 4.
 std::string afterThreeVertices(const std::string& text) { return "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + text; }
-
-/// Expects that two meshes are equal, part by part.
-void expectSame(const Mesh& a, const Mesh& b) {
-  EXPECT_EQ(a.points, b.points);
-  EXPECT_EQ(a.corners, b.corners);
-  EXPECT_EQ(a.firstCorner, b.firstCorner);
-  EXPECT_EQ(a.group, b.group);
-  EXPECT_EQ(a.groupNames, b.groupNames);
-  EXPECT_EQ(a.material, b.material);
-  EXPECT_EQ(a.materials.size(), b.materials.size());
-  EXPECT_EQ(a.rounding, b.rounding);
-  EXPECT_EQ(a.uv, b.uv);
-  EXPECT_EQ(a.uvOfCorner, b.uvOfCorner);
-}
 
 /// Expects what mesh.h promises of every mesh.
 void expectSound(const Mesh& mesh) {
@@ -73,8 +59,6 @@ constexpr std::string_view kWhole =
     "f -4/-1/-1 -3/1/1 -1/1/1 # back\nl 1 2\np 1\ncurv 0 1 1 2\n"
     "f 1 3 4";
 
-}  // namespace
-
 // A worked example: every kind of statement, in every spelling, ends up where mesh.h says.
 TEST(Obj, ReadsABitOfEverything) {
   const Mesh mesh = meshOf(kWhole);
@@ -105,69 +89,6 @@ TEST(Obj, NamesWhatItLeavesOut) {
   EXPECT_THAT(meshOf(many).notes,
               ElementsAre("a.obj: the program does not use k0\\x1b, k1\\x1b, k2\\x1b, k3\\x1b, k4\\x1b, "
                           "k5\\x1b, k6\\x1b, k7\\x1b, k8\\x1b, k9\\x1b, k10\\x1b, k11\\x1b and others"));
-}
-
-// Line ends make no difference: LF, CR LF or CR, with or without the last one.
-TEST(Obj, DoesNotDependOnLineEnds) {
-  std::string lf, crLf, cr;
-  for (const char c : kWhole) {
-    if (c == '\r') continue;
-    lf += c;
-    cr += c == '\n' ? '\r' : c;
-    crLf += c == '\n' ? "\r\n" : std::string{c};
-  }
-  expectSame(meshOf(lf), meshOf(kWhole));
-  expectSame(meshOf(cr), meshOf(kWhole));
-  expectSame(meshOf(crLf), meshOf(kWhole));
-  expectSame(meshOf(crLf + "\r\n"), meshOf(kWhole));
-}
-
-// Numbers printed with 17 digits are read back bit for bit, subnormals included.
-TEST(Obj, ReturnsTheDoublesThatWereWritten) {
-  std::mt19937_64 rng{17};
-  std::string text;
-  std::vector<double> written;
-  while (written.size() < 30'000) {
-    const auto x = std::bit_cast<double>(static_cast<std::uint64_t>(rng()));
-    if (!std::isfinite(x)) continue;
-    char word[40];
-    std::snprintf(word, sizeof word, "%s%.17g", written.size() % 3 ? " " : "\nv ", x);
-    text += word;
-    written.push_back(x);
-  }
-  const Mesh mesh = meshOf(text + "\nf 1 2 3\n");
-  ASSERT_EQ(mesh.points.size(), written.size() / 3);
-  for (std::size_t i = 0; i < written.size(); ++i) {
-    ASSERT_EQ(std::bit_cast<std::uint64_t>(mesh.points[i / 3][static_cast<int>(i % 3)]),
-              std::bit_cast<std::uint64_t>(written[i]));
-  }
-}
-
-// An index counted back from the last vertex means the same vertex as the index counted from the first, also
-// between vertex lines.
-TEST(Obj, NegativeIndicesEqualPositiveOnes) {
-  std::mt19937 rng{5};
-  std::string positive, negative;
-  int vertices = 0;
-  for (int i = 0; i < 2'000; ++i) {
-    if (vertices < 3 || rng() % 3 == 0) {
-      ++vertices;
-      const std::string vertex = "v " + std::to_string(i) + " 0 0\n";
-      positive += vertex;
-      negative += vertex;
-    } else {
-      positive += 'f';
-      negative += 'f';
-      for (auto corners = 3 + rng() % 4; corners > 0; --corners) {
-        const int index = 1 + static_cast<int>(rng() % vertices);
-        positive.append(" ").append(std::to_string(index));
-        negative.append(" ").append(std::to_string(index - vertices - 1));
-      }
-      positive += '\n';
-      negative += '\n';
-    }
-  }
-  expectSame(meshOf(negative), meshOf(positive));
 }
 
 // A face may come before its vertices.
@@ -301,15 +222,6 @@ TEST(Obj, RoundingIsHalfTheLastDecimal) {
   EXPECT_EQ(roundingOf("0 0 1e-999999999999"), 0.5) << "it is zero, which tells nothing";
 }
 
-TEST(Obj, RefusesFilesItCannotRead) {
-  EXPECT_EQ(complaint([] { return readObj("none/teapot.obj"); }),
-            "none/teapot.obj: No such file or directory");
-  const TemporaryFolder folder;
-  EXPECT_EQ(complaint([&] { return readObj(folder.path()); }), folder.path().string() + ": Is a directory");
-  const std::string empty = folder.write("empty.obj", "");
-  EXPECT_EQ(complaint([&] { return readObj(empty); }), empty + ": holds no face");
-}
-
 TEST(Obj, RefusesFilesWithoutAFace) {
   for (const std::string text : {"", "\n", "# f 1 2 3\n", "v 0 0 0\nl 1 1\n",
                                  "\x7f"
@@ -321,13 +233,7 @@ TEST(Obj, RefusesFilesWithoutAFace) {
 TEST(Obj, RefusesMalformedVertices) {
   EXPECT_EQ(complaintOf("\nv\n"), "a.obj:2: a vertex needs three coordinates");
   EXPECT_EQ(complaintOf("v 1 2 # 3\n"), "a.obj:1: a vertex needs three coordinates");
-  EXPECT_EQ(complaintOf("v 1 2 1.#INF\n"), "a.obj:1: malformed number '1.#INF'");
   EXPECT_EQ(complaintOf("v 1 \\\n2,5 3\n"), "a.obj:2: malformed number '2,5'");
-  EXPECT_EQ(complaintOf("v 0 0 0\nv nan 0 0\n"), "a.obj:2: number 'nan' is not finite");
-  EXPECT_EQ(complaintOf("v 0 -inf 0\n"), "a.obj:1: number '-inf' is not finite");
-  EXPECT_EQ(complaintOf("v 0 0 1e309\n"), "a.obj:1: number '1e309' is too large");
-  EXPECT_EQ(complaintOf("v " + std::string(50, 'y')),
-            "a.obj:1: malformed number '" + std::string(40, 'y') + "...'");
 }
 
 TEST(Obj, RefusesMalformedFaces) {
@@ -350,26 +256,11 @@ TEST(Obj, RefusesMalformedFaces) {
   }
 }
 
-// A file cut off at any byte is either read or reported as wrong. What is read is sound.
-TEST(Obj, SurvivesTruncation) {
-  for (std::size_t size = 0; size <= kWhole.size(); ++size) {
-    SCOPED_TRACE(size);
-    const std::string text{kWhole.substr(0, size)};  // a copy, so that reading one byte too many is noticed
-    if (complaintOf(text).empty()) expectSound(meshOf(text));
-  }
-}
-
-// A file with a few wrong bytes is either read or reported as wrong. What is read is sound.
-TEST(Obj, SurvivesMutation) {
-  int readable = 0;
-  for (unsigned seed = 0; seed < 5'000; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 rng{seed};
-    const std::string text = mutated(std::string{kWhole}, rng);
-    if (!complaintOf(text).empty()) continue;
-    ++readable;
-    expectSound(meshOf(text));
-  }
+// A file cut off at any byte, or with a few wrong bytes, is either read or reported as wrong. What is read is
+// sound.
+TEST(Obj, SurvivesWrongBytes) {
+  const int readable = survivors(std::string{kWhole}, 5'000, "a.obj",
+                                 [](const std::string& text) { expectSound(meshOf(text)); });
   EXPECT_GT(readable, 500);
   EXPECT_LT(readable, 4'500);
 }
@@ -402,5 +293,106 @@ TEST(Obj, TakesHighlightsAndScalesOfMaps) {
   EXPECT_EQ(complaint([&] { return readObj(far); }),
             folder.file("a.mtl") + ":2: map_Kd moves the texture out of all numbers");
 }
+
+/// ---- MTL
+
+// Every newmtl makes a material. Its Kd is the colour, clamped to [0, 1]. The last Kd counts, and the last
+// map_Kd.
+TEST(Mtl, GivesColorsByName) {
+  const MtlLibrary library = parseMtl(
+      "# colours\r\nKd 9 9 9\nnewmtl red\r\n\tKa 1 1 1\r\n\tKd 1 .25 0\r\n\tmap_Kd red.png\r\n"
+      "newmtl  light  gray\nKd 0.5\nnewmtl plain\nillum 2\nnewmtl loud\nKd 2 -1 1e-400\n"
+      "newmtl odd\nKd spectral file.rfl 1\nnewmtl twice\nmap_Kd a\nKd 0 0 0\nKd 0 0 1\nmap_Kd my own.png",
+      "a.mtl");
+  const std::map<std::string, MtlMaterial, std::less<>> expected{
+      {"red", {{1, 0.25, 0}, "red.png", 6}}, {"light gray", {{0.5, 0.5, 0.5}, "", 0}},
+      {"plain", {{1, 1, 1}, "", 0}},         {"loud", {{1, 0, 0}, "", 0}},
+      {"odd", {{1, 1, 1}, "", 0}},           {"twice", {{0, 0, 1}, "my own.png", 19}}};
+  EXPECT_EQ(library.materials, expected);
+  EXPECT_EQ(library.notes,
+            (std::vector<std::string>{"a.mtl:12: Kd 2 is read as 1: a colour has numbers from 0 to 1",
+                                      "a.mtl: the program does not use Ka"}));
+  EXPECT_TRUE(parseMtl("", "a.mtl").materials.empty());
+}
+
+// Ks and Ns have a place in the equation, and so has a model without a highlight. What leaves the picture as
+// it is, is not named.
+TEST(Mtl, GivesTheHighlight) {
+  const auto read = [](const std::string& lines) { return parseMtl("newmtl m\n" + lines, "a.mtl"); };
+  const auto materialOf = [&](const std::string& lines) { return read(lines).materials.at("m"); };
+  EXPECT_EQ(materialOf("Kd 1 1 1\n").Ks, std::nullopt);
+  EXPECT_EQ(materialOf("Kd 1 1 1\n").Ns, std::nullopt);
+  EXPECT_EQ(materialOf("Ks 0.5 2 0\nNs 96.078\nillum 2").Ks, glm::dvec3(0.5, 1, 0));
+  EXPECT_EQ(materialOf("Ns 96.078").Ns, 96);
+  EXPECT_EQ(materialOf("Ns 1e9").Ns, 1'000'000);
+  EXPECT_EQ(materialOf("Ns -1").Ns, 0);
+  for (const std::string model : {"0", "1"})
+    EXPECT_EQ(materialOf("illum " + model + "\nKs 1 1 1").Ks, glm::dvec3(0)) << model;
+  EXPECT_EQ(materialOf("illum 1\nKs 1 1 1\nillum 2").Ks, glm::dvec3(1));
+  EXPECT_EQ(materialOf("illum 1\nnewmtl m\nKs 1 1 1").Ks, glm::dvec3(1));
+  EXPECT_EQ(read("d 1\nTr 0.0\nKe 0 0 0\nillum 2").notes, std::vector<std::string>{});
+  EXPECT_EQ(read("d 0.5\nTr 1\nKe 0 1 0\nillum 4\nNi 1").notes,
+            std::vector<std::string>{"a.mtl: the program does not use d, Tr, Ke, illum, Ni"});
+}
+
+// -s and -o of map_Kd have one to three numbers; the third is for textures in space.
+TEST(Mtl, GivesTheScaleOfAMap) {
+  const auto materialOf = [](const std::string& map) {
+    return parseMtl("newmtl m\nmap_Kd " + map, "a.mtl").materials.at("m");
+  };
+  EXPECT_EQ(materialOf("-s 2 3 4 -o 0.5 a.png").scale, glm::dvec2(2, 3));
+  EXPECT_EQ(materialOf("-s 2 3 4 -o 0.5 a.png").offset, glm::dvec2(0.5, 0));
+  EXPECT_EQ(materialOf("-s -1 a.png").scale, glm::dvec2(-1, 1));
+  EXPECT_EQ(materialOf("-s 2 a.png\nmap_Kd a.png").scale, glm::dvec2(1, 1));
+}
+
+// The file follows the options, which the manual gives one, two, or up to three words. One note tells of the
+// first that would change the picture.
+TEST(Mtl, ReadsTheOptionsOfAMap) {
+  struct Case {
+    std::string line, file, ignored;
+  };
+  for (const Case& c : std::vector<Case>{
+           {"a.png", "a.png", ""},
+           {"-blendu on -blendv off -bm 1 -boost 2 -texres 512 -cc off -clamp off a.png", "a.png", ""},
+           {"-s 2 a.png", "a.png", ""},
+           {"-s 2 2 a.png", "a.png", ""},
+           {"-s 2 2 1 a b.png", "a b.png", ""},
+           {"-s 2 2 1 7", "7", ""},
+           {"-blendu on -o 0.5 .5 -t 1 -s 3 a.png", "a.png", "-t"},
+           {"-mm 0.1 0.9 a.png", "a.png", "-mm"},
+           {"-clamp on a.png", "a.png", "-clamp"},
+           {"-cc on a.png", "a.png", "-cc"},
+           {"-imfchan r a.png", "a.png", "-imfchan"},
+           {"-own.png", "-own.png", ""},
+           {"-2.png", "-2.png", ""}}) {
+    const MtlLibrary library = parseMtl("newmtl m\nmap_Kd " + c.line, "a.mtl");
+    EXPECT_EQ(library.materials.at("m").map, c.file) << c.line;
+    const std::vector<std::string> note{"a.mtl:2: map_Kd is read without " + c.ignored};
+    EXPECT_EQ(library.notes, c.ignored.empty() ? std::vector<std::string>{} : note) << c.line;
+  }
+  const auto complaintOf = [](const std::string& line) {
+    return complaint([&] { return parseMtl("newmtl m\n" + line, "a.mtl"); });
+  };
+  EXPECT_EQ(complaintOf("map_Kd"), "a.mtl:2: map_Kd needs a file");
+  EXPECT_EQ(complaintOf("map_Kd -clamp on"), "a.mtl:2: map_Kd needs a file");
+  EXPECT_EQ(complaintOf("map_Kd -clamp"), "a.mtl:2: map_Kd: nothing follows -clamp");
+  EXPECT_EQ(complaintOf("map_Kd -mm 1"), "a.mtl:2: map_Kd: nothing follows -mm");
+}
+
+TEST(Mtl, RefusesColorsThatAreNoNumbers) {
+  const auto complaintOf = [](const std::string& text) {
+    return complaint([&] { return parseMtl(text, "a.mtl"); });
+  };
+  EXPECT_EQ(complaintOf("newmtl a\nKd 1 x 0\n"), "a.mtl:2: malformed number 'x'");
+  EXPECT_EQ(complaintOf("newmtl a\nKd nan 0 0\n"), "a.mtl:2: number 'nan' is not finite");
+  EXPECT_EQ(complaintOf("newmtl a\nKd\n"), "a.mtl:2: Kd needs a colour");
+  EXPECT_EQ(complaintOf("newmtl a\nKs\n"), "a.mtl:2: Ks needs a colour");
+  EXPECT_EQ(complaintOf("newmtl a\nNs\n"), "a.mtl:2: Ns needs a number");
+  EXPECT_EQ(complaintOf("newmtl a\nNs high\n"), "a.mtl:2: malformed number 'high'");
+  EXPECT_EQ(complaintOf("newmtl a\nmap_Kd -s a.png\n"), "a.mtl:2: malformed number 'a.png'");
+}
+
+}  // namespace
 
 }  // namespace xnewell::THIS_FILE

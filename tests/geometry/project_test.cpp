@@ -1,22 +1,27 @@
-#include "geometry/view/project.h"
-#include "geometry/view/scene_planes.h"
-
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <map>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "geometry/model/coplanar.h"
+#include "geometry/model/fit_plane.h"
+#include "geometry/model/sheets.h"
+#include "geometry/view/project.h"
+#include "geometry/view/scene_planes.h"
 
 namespace xnewell::THIS_FILE {
 
 namespace {
+
+/// ---- Projection onto the grid
 
 /// Looks down the z axis at the square [-1, 1]^2 of the plane z = 0, from distance 4.
 ViewSpec fromAbove(Projection projection) {
@@ -33,35 +38,6 @@ Mesh triangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
   const int corners[] = {0, 1, 2};
   m.addFace(corners, 0);
   return m;
-}
-
-}  // namespace
-
-// Parallel view, 512 pixels for 2 units: (x, y) goes to 256 (1 + x), 256 (1 - y) pixels, and z to 256 (z -
-// back).
-TEST(Project, ParallelByHand) {
-  const SnappedScene s =
-      projected(triangle({-1, -1, 0}, {0.5, 0, 0}, {0, 1, 1}), fromAbove(Projection::Parallel));
-  ASSERT_EQ(s.faces.size(), 1u);
-  EXPECT_EQ(s.zShift, 0);
-  EXPECT_EQ(s.vertices, (std::vector<glm::ivec3>{{0, 512 * kGrid, 1024 * kGrid},
-                                                 {384 * kGrid, 256 * kGrid, 1024 * kGrid},
-                                                 {256 * kGrid, 0, 1280 * kGrid}}));
-  EXPECT_FALSE(s.faces[0].back);
-}
-
-// Perspective view from distance 4: at z = 2 everything is twice as large.
-TEST(Project, PerspectiveByHand) {
-  const SnappedScene s =
-      projected(triangle({-0.5, -0.5, 2}, {0.5, -0.5, 0}, {0, 0.5, 2}), fromAbove(Projection::Perspective));
-  ASSERT_EQ(s.faces.size(), 1u);
-  const int expected[3][2] = {{0, 512}, {384, 384}, {256, 0}};
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(s.vertices[i].x, expected[i][0] * kGrid);
-    EXPECT_EQ(s.vertices[i].y, expected[i][1] * kGrid);
-  }
-  EXPECT_EQ(s.vertices[0].z, s.vertices[2].z);
-  EXPECT_GT(s.vertices[0].z, s.vertices[1].z);  // larger is nearer
 }
 
 // Seen from behind, a face keeps its samples and its outline is reversed. Culling removes it and counts it.
@@ -89,7 +65,7 @@ TEST(Project, DropsAndCountsFacesWithoutArea) {
 }
 
 // A mesh reaches through the front plane, behind the eye and a million pixels to the side. Both neighbours of
-// every inner edge get the same clipped vertices. All vertices lie within the guard band.
+// every inner edge get the same clipped vertices.
 TEST(Project, NeighboursShareClippedVertices) {
   int clippedEdges = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {
@@ -103,12 +79,8 @@ TEST(Project, NeighboursShareClippedVertices) {
     const int first[] = {0, 1, 2}, second[] = {1, 0, 3};
     m.addFace(first, 0);
     m.addFace(second, 0);
-    const SnappedScene s = projected(m, fromAbove(seed % 2 ? Projection::Perspective : Projection::Parallel));
-    for (const glm::ivec3& v : s.vertices) {
-      ASSERT_LE(std::abs(v.x), 1 << 29);
-      ASSERT_LE(std::abs(v.y), 1 << 29);
-      ASSERT_TRUE(v.z >= 0 && v.z <= 1 << 30);
-    }
+    const ViewSpec view = fromAbove(seed % 2 ? Projection::Perspective : Projection::Parallel);
+    const SnappedScene s = projected(m, view);
     if (s.faces.size() != 2) continue;
     // The visible part of the shared edge lies on both outlines, with the same two ends.
     const auto outline = [&](int f) {
@@ -123,12 +95,9 @@ TEST(Project, NeighboursShareClippedVertices) {
     int shared = 0;
     for (const auto& v : one) shared += static_cast<int>(two.count(v));
     // Clip the edge by itself, in the textbook's parametric form, to find out whether any of it is visible.
-    const glm::dmat4 M =
-        screenFromCanonical(fromAbove(seed % 2 ? Projection::Perspective : Projection::Parallel), 512, 512) *
-        canonicalFromVrc(fromAbove(seed % 2 ? Projection::Perspective : Projection::Parallel));
+    const glm::dmat4 M = screenFromCanonical(view, 512, 512) * canonicalFromVrc(view);
     const glm::dvec4 A = M * glm::dvec4{a, 1}, B = M * glm::dvec4{b, 1};
-    const double front =
-        frontDepth(fromAbove(seed % 2 ? Projection::Perspective : Projection::Parallel), 512);
+    const double front = frontDepth(view, 512);
     double from = 0, to = 1;
     for (const auto& [ha, hb] : {std::pair{front * A.w - A.z, front * B.w - B.z},
                                  {A.z, B.z},
@@ -318,5 +287,165 @@ TEST(Project, DoubtIsWhatRoundingMoves) {
   }
   EXPECT_GT(mostly, 500);
 }
+
+/// ---- Corners far from the others
+
+void add(Mesh& mesh, const std::vector<glm::dvec3>& corners) {
+  std::vector<int> face(corners.size());
+  std::iota(face.begin(), face.end(), static_cast<int>(mesh.points.size()));
+  mesh.points.insert(mesh.points.end(), corners.begin(), corners.end());
+  mesh.addFace(face, 0);
+}
+
+/// A wavy sheet of n x n faces, about 1 long, with decals on every eighth of them, and one long face that
+/// makes the scene 1 / share as large.
+Mesh sheetBesideFarCorner(int n, double share, unsigned seed) {
+  std::mt19937 rng{seed};
+  std::uniform_real_distribution<double> unit{0.0, 1.0};
+  Mesh mesh;
+  mesh.groupNames = {""};
+  const auto at = [&](double i, double j) {
+    return glm::dvec3{i / n, j / n, 0.1 * std::sin(7.0 * i / n) + 0.2 * std::cos(5.0 * j / n)};
+  };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const glm::dvec3 a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1);
+      add(mesh, {a, b, c});
+      if (unit(rng) > 0.125) continue;
+      const auto inside = [&](double s, double t) { return a + s * (b - a) + t * (c - b); };
+      add(mesh, {a, b, c});
+      add(mesh, {inside(0.5, 0.1), inside(0.9, 0.1), inside(0.9, 0.4)});
+    }
+  const double far = (seed % 2 == 0 ? 1.0 : -1.0) / share;
+  add(mesh, {{0.3, 0.3, 0.0}, {0.6, far, 0.0}, {0.6, 0.4, 0.01}});
+  add(mesh, {{0.2, 0.2, 0.1}, {0.7, 0.2, 0.15}, {0.7, 0.8, 0.1}});
+  return mesh;
+}
+
+using Pairs = std::set<std::pair<int, int>>;
+
+Pairs nearPairs(const Sheets& sheets) {
+  Pairs visited;
+  sheets.forAllNear(
+      [&](const SheetPart& P, const SheetPart& Q) { visited.insert(std::minmax(P.part, Q.part)); });
+  return visited;
+}
+
+/// True if two parts overlap in area and one plane explains both, without a search for near ones.
+bool inOnePlane(const Sheets& model, int i, int j) {
+  const ModelSheet P = model.sheet(i), Q = model.sheet(j);
+  const ModelSheet& larger = P.area > Q.area ? P : Q;
+  if (model.parted({i, P}, {j, Q}, larger.plane.N)) return false;
+  std::vector<RoundedPoint> both;
+  for (const int sheet : {i, j})
+    for (const int c : model.corners(sheet)) both.push_back({model.box.points[c], model.roundingOf(sheet)});
+  return fitPlane(both, larger.plane, model.rounding, FitGoal::Explain).explains();
+}
+
+/// How many pairs of parts lie in one plane. The test fails if a search does not find all of them near.
+std::size_t joinedPairs(const Mesh& mesh) {
+  const ConvexParts parts = divideFaces(mesh);
+  const Sheets sheets{mesh, parts};
+  const Pairs near = nearPairs(sheets);
+  std::size_t joined = 0;
+  for (int i = 0; i < parts.count(); ++i)
+    for (int j = i + 1; j < parts.count(); ++j) {
+      const bool covers = sheets.sheet(i).area > 0.0 && sheets.sheet(j).area > 0.0;
+      if (!covers || !inOnePlane(sheets, i, j)) continue;
+      ++joined;
+      EXPECT_TRUE(near.contains({i, j})) << i << ' ' << j;
+    }
+  EXPECT_LT(near.size(), static_cast<std::size_t>(parts.count()) * parts.count() / 4);
+  return joined;
+}
+
+// A scene may be so large that a detailed object is a speck in it, down to the size of rounding. No pair of
+// faces that lies in one plane is missed.
+TEST(FarCorner, NoPairIsMissed) {
+  std::size_t joined = 0;
+  unsigned seed = 0;
+  for (const double share : {1e-3, 1e-6, 1e-8, 1e-10, 1e-11, 3e-12, 1e-12, 3e-13, 1e-13, 1e-14, 1e-30})
+    for (const double u : {0.0, 1e-4, 1.0}) {
+      SCOPED_TRACE(testing::Message() << share << ' ' << u);
+      Mesh mesh = sheetBesideFarCorner(34, share, seed++);
+      if (u > 0.0) mesh.rounding = {u};
+      joined += joinedPairs(mesh);
+    }
+  EXPECT_GT(joined, 1'000u);
+}
+
+// Whether a model is searched cell by cell or as a whole, the same pairs lie in one plane.
+TEST(FarCorner, CellsMissNoPair) {
+  std::size_t joined = 0;
+  for (const double share : {1.0, 0.3, 1e-2, 1e-7, 1e-14}) {
+    SCOPED_TRACE(share);
+    Mesh mesh = sheetBesideFarCorner(75, share, 7);
+    mesh.rounding = {1e-5};
+    const ConvexParts parts = divideFaces(mesh);
+    ASSERT_GT(static_cast<std::size_t>(parts.count()), kManyBoxes);
+    const Sheets sheets{mesh, parts};
+    Pairs byCells, asAWhole;
+    const auto addTo = [&](Pairs& pairs) {
+      return [&](const SheetPart& P, const SheetPart& Q) {
+        if (!sheets.tooFar(P, Q)) pairs.insert(std::minmax(P.part, Q.part));
+      };
+    };
+    sheets.forAllNear(addTo(byCells));
+    std::vector<int> all(parts.count());
+    std::iota(all.begin(), all.end(), 0);
+    sheets.forNear(all, addTo(asAWhole));
+    std::erase_if(byCells, [&](const auto& pair) { return !inOnePlane(sheets, pair.first, pair.second); });
+    std::erase_if(asAWhole, [&](const auto& pair) { return !inOnePlane(sheets, pair.first, pair.second); });
+    EXPECT_EQ(byCells, asAWhole);
+    joined += byCells.size();
+  }
+  EXPECT_GT(joined, 5'000u);
+}
+
+// Specks that are smaller than the rounding still lie in the plane of the floor under them. A needle has no
+// room for them, however long it is.
+TEST(FarCorner, SpecksLieOnTheFloor) {
+  std::size_t joined = 0;
+  for (const double share : {1e-3, 1e-13, 1e-14, 1e-16, 1e-30, 1e-200}) {
+    SCOPED_TRACE(share);
+    Mesh mesh = sheetBesideFarCorner(20, share, 4);
+    const double far = 1.0 / share;
+    add(mesh, {{-far, -far, 0.0}, {far, -far, 0.0}, {0.0, far, 0.0}});
+    add(mesh, {{-far, 0.0, 0.1}, {far, 0.0, 0.1}, {0.0, 0.6, 0.1}});
+    joined += joinedPairs(mesh);
+  }
+  EXPECT_GT(joined, 1'000u);
+}
+
+// One far corner of a patch makes needles of that patch's faces, and specks of all others. Each speck lies
+// within the rounding of each needle's end.
+TEST(FarCorner, SpecksAreNotComparedWithNeedles) {
+  Mesh mesh = sheetBesideFarCorner(60, 1e-20, 6);
+  for (int i = 0; i < 2'000; ++i)
+    add(mesh, {{0.5, 0.001 * i, 0.0}, {0.5, 0.001 * i + 0.1, 0.0}, {0.5, 0.001 * i, 1e20 + 1e16 * i}});
+  const ConvexParts parts = divideFaces(mesh);
+  std::size_t withSpecks = 0;
+  const int firstNeedle = parts.count() - 2'000;
+  Sheets{mesh, parts}.forAllNear([&](const SheetPart& P, const SheetPart& Q) {
+    withSpecks += std::min(P.part, Q.part) < firstNeedle - 2 && std::max(P.part, Q.part) >= firstNeedle;
+  });
+  EXPECT_EQ(withSpecks, 0u);
+}
+
+// The work grows with the number of faces, however large the scene is beside them. Faces that are not dust
+// are at least about delta long here, and a place reaches two roundings further on each side. So about 10 x
+// 10 faces are near, with their decals, and each pair may be visited twice.
+TEST(FarCorner, FewPairsAreCompared) {
+  for (double share = 1.0; share > 1e-20; share /= 7.0) {
+    SCOPED_TRACE(share);
+    const Mesh mesh = sheetBesideFarCorner(150, share, 5);
+    const ConvexParts parts = divideFaces(mesh);
+    std::size_t visits = 0;
+    Sheets{mesh, parts}.forAllNear([&](const SheetPart&, const SheetPart&) { ++visits; });
+    EXPECT_LT(visits, 300u * static_cast<std::size_t>(parts.count()));
+  }
+}
+
+}  // namespace
 
 }  // namespace xnewell::THIS_FILE

@@ -1,5 +1,3 @@
-#include "geometry/model/solids.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,11 +7,16 @@
 #include <vector>
 
 #include "geometry/exact/plane.h"
+#include "geometry/files/obj.h"
+#include "geometry/model/edges.h"
+#include "geometry/model/solids.h"
 #include "tests/support/triangle_soup.h"
 
 namespace xnewell::THIS_FILE {
 
 namespace {
+
+/// ---- Solids
 
 /// Expects that every edge is run along once in each direction. Then the surface is closed and its faces
 /// agree on a side.
@@ -36,8 +39,6 @@ double volume(const Mesh& mesh) {
     sum += glm::dot(newellVector(mesh.points, mesh.face(f)), centroid(mesh.points, mesh.face(f)));
   return sum / 6.0;
 }
-
-}  // namespace
 
 // The solids are closed and look outward, with the known volumes: 8; 4/3 pi and 2 pi^2 r^2 less the deficit
 // of the inscribed polygons, which is below (2 pi / n)^2 / 4 for each circle.
@@ -110,5 +111,32 @@ TEST(Solids, SoupIsTheSameOnEveryMachine) {
   for (const glm::dvec3& p : triangleSoup(1000, 0.1, 7).points)
     for (int axis = 0; axis < 3; ++axis) EXPECT_LE(std::abs(p[axis]), 1.1);
 }
+
+/// ---- Edges
+
+EdgeCounts edgesOf(const std::string& faces) {
+  return countEdges(
+      parseObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 -0\nv 3 0 0\n" + faces, "a.obj", "."));
+}
+void expectEdges(const EdgeCounts& counts, int open, int turned, int crowded) {
+  EXPECT_EQ(counts.open, open);
+  EXPECT_EQ(counts.turned, turned);
+  EXPECT_EQ(counts.crowded, crowded);
+}
+
+// A tetrahedron is closed. Without a face it is open, with one face turned its neighbours disagree, and with
+// one face twice three edges are crowded. A vertex that is written twice is one place.
+TEST(Edges, AreCountedByWhatMeetsThere) {
+  const std::string low = "f 1 3 2\n", front = "f 1 2 4\n", left = "f 1 4 3\n", slope = "f 2 3 4\n";
+  expectEdges(edgesOf(low + front + left + slope), 0, 0, 0);
+  expectEdges(edgesOf(low + front + left + "f 5 3 4\n"), 0, 0, 0);
+  expectEdges(edgesOf(low + front + left), 3, 0, 0);
+  expectEdges(edgesOf(low + front + left + "f 4 3 2\n"), 0, 3, 0);
+  expectEdges(edgesOf(low + front + left + slope + slope), 0, 0, 3);
+  expectEdges(edgesOf("f 1 1 1\n"), 0, 0, 0);
+  expectEdges(edgesOf("f 1 2 5 3\n"), 3, 0, 0);
+}
+
+}  // namespace
 
 }  // namespace xnewell::THIS_FILE

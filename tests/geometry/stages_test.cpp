@@ -208,31 +208,6 @@ TEST(Stages, MultiplyToTheScreen) {
   }
 }
 
-// The derivative is where small steps go: their quotients come near to it.
-TEST(Stages, DerivativesAreTheLimitsOfSmallSteps) {
-  RandomViews random{11};
-  constexpr double kStep = 1e-5;
-  for (int trial = 0; trial < 300; ++trial) {
-    SCOPED_TRACE(trial);
-    const ViewStages stages{random.view(static_cast<Kind>(trial % 6)), 656, 492};
-    const glm::dvec3 place = random.point(0.3);
-    if (stages.outside(place) != 0) continue;
-    for (const ViewStageRow& row : kViewStages) {
-      const auto at = [&](const glm::dvec3& p) {
-        const glm::dvec4 h = stages.at(row.id, p);
-        return glm::dvec3{h} / h.w;
-      };
-      const glm::dmat3 d = stages.derivative(row.id, place);
-      for (int k = 0; k < 3; ++k) {
-        glm::dvec3 step{0.0};
-        step[k] = kStep;
-        const glm::dvec3 quotient = (at(place + step) - at(place - step)) / (2 * kStep);
-        EXPECT_LT(glm::length(quotient - d[k]), 1e-4 * (1 + glm::length(d[k]))) << row.name;
-      }
-    }
-  }
-}
-
 // A plane's normal at a stage is that of the plane through where three of its points go, on the same side.
 // The points are far from the place, so the whole plane goes there and not only its neighbourhood.
 TEST(Stages, NormalsAreThoseOfTheCarriedPlane) {

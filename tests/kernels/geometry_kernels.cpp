@@ -19,7 +19,6 @@
 #include "geometry/view/screen_plane.h"
 #include "geometry/view/view.h"
 #include "shading/fill/lanes.h"
-#include "tests/kernels/big.h"
 #include "tests/kernels/search.h"
 
 namespace xnewell {
@@ -29,7 +28,6 @@ namespace {
 constexpr double kMost = std::numeric_limits<double>::max();
 
 Numbers numbersOf(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-int whole(double v) { return static_cast<int>(v); }
 
 /// Empty if a number from the `first` on is 0 < |v| < 2^exponent.
 template <int exponent, std::size_t first = 0>

@@ -2,7 +2,7 @@
 # arithmetic of headers across a change of the rounding mode, or from doing it itself. The program is
 # compiled without: its own files only assume that the mode does not change while a function runs.
 add_executable(kernels_tests
-  kernels/geometry_kernels.cpp kernels/kernels_test.cpp kernels/search.cpp kernels/shading_kernels.cpp)
+  kernels/geometry_kernels.cpp kernels/kernels_test.cpp kernels/shading_kernels.cpp)
 let_see(kernels_tests tests)
 target_link_libraries(kernels_tests PRIVATE shading GTest::gtest GTest::gtest_main)
 target_compile_options(kernels_tests PRIVATE

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <array>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace xnewell {
@@ -53,6 +55,7 @@ inline Inputs operator*(int n, const Inputs& input) {
   for (; n > 0; --n) all = std::move(all) + input;
   return all;
 }
+inline int whole(double v) { return static_cast<int>(v); }
 /// Some numbers of an input.
 inline Numbers slice(In in, std::size_t from, std::size_t end) {
   return {in.begin() + static_cast<std::ptrdiff_t>(from), in.begin() + static_cast<std::ptrdiff_t>(end)};
@@ -82,27 +85,62 @@ inline constexpr double kWrong = 1e9;  ///< the share of an exact kernel that is
 [[nodiscard]] std::vector<Kernel> geometryKernels();
 [[nodiscard]] std::vector<Kernel> shadingKernels();
 
-struct RoundingMode {
-  int mode;  ///< as fesetround() takes it
-  std::string_view name;
+/// The references' arithmetic: 256 bits and any exponent, or whole numbers of any length.
+
+namespace mp = boost::multiprecision;
+using Big = mp::number<mp::cpp_bin_float<256, mp::digit_base_2, void, std::int32_t, -1'000'000, 1'000'000>,
+                       mp::et_off>;
+using Whole = mp::number<mp::cpp_int_backend<>, mp::et_off>;
+
+inline Big big(double v) { return Big{v}; }
+inline double toDouble(const Big& v) { return v.convert_to<double>(); }
+inline Big largerOf(const Big& a, const Big& b) { return a < b ? b : a; }
+inline Big smallerOf(const Big& a, const Big& b) { return a < b ? a : b; }
+
+struct BigVec {
+  Big x, y, z;
 };
-/// To nearest, up, down, to zero.
-extern const std::array<RoundingMode, 4> kRoundingModes;
+inline BigVec bigVec(const double* v) { return {big(v[0]), big(v[1]), big(v[2])}; }
+inline glm::dvec3 glmOf(const double* v) { return {v[0], v[1], v[2]}; }
+inline BigVec operator+(const BigVec& a, const BigVec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline BigVec operator-(const BigVec& a, const BigVec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline BigVec operator*(const BigVec& a, const Big& s) { return {a.x * s, a.y * s, a.z * s}; }
+inline Big dot(const BigVec& a, const BigVec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline BigVec cross(const BigVec& a, const BigVec& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline Big lengthOf(const BigVec& v) { return sqrt(dot(v, v)); }
+inline BigVec absOf(const BigVec& v) { return {abs(v.x), abs(v.y), abs(v.z)}; }
+inline Big sumOf(const BigVec& v) { return v.x + v.y + v.z; }
+/// 0 for the zero vector.
+inline BigVec unitOf(const BigVec& v) {
+  const Big length = lengthOf(v);
+  return length == 0 ? v : v * (1 / length);
+}
+/// x^n by squaring.
+inline Big bigPower(Big x, int n) {
+  Big result = 1;
+  for (; n > 0; n >>= 1, x *= x)
+    if (n & 1) result *= x;
+  return result;
+}
+inline Big degree() {
+  static const Big d = mp::acos(Big{-1}) / 180;
+  return d;
+}
 
-/// Judges the kernel at one input. Only Kernel::run is in that rounding mode. The result is a share of the
-/// bound that holds in it. A result that is not a number counts as wrong.
-[[nodiscard]] double shareAt(const Kernel& kernel, In input, const RoundingMode& mode);
-
-struct Worst {
-  double share = 0;
-  Numbers input;
-};
-
-/// Begins with the given inputs, and goes on from the worst that it knows: it changes a few numbers, in their
-/// encodings by powers of two, or to numbers that are hard for most kernels, or to those of another bad
-/// input; or it steps along one number for as long as this makes the error larger. The same seed finds the
-/// same.
-[[nodiscard]] Worst searchWorst(const Kernel& kernel, const std::vector<Numbers>& start,
-                                const RoundingMode& mode, int evaluations, std::uint64_t seed);
+/// |result - exact| / bound. An error of 0 has the share 0, whatever the bound is.
+inline double shareOf(const Big& result, const Big& exact, const Big& bound) {
+  const Big error = abs(result - exact);
+  return error == 0 ? 0.0 : bound > 0 ? toDouble(error / bound) : 1e9;
+}
+inline double shareOf(double result, const Big& exact, const Big& bound) {
+  return std::isfinite(result) ? shareOf(big(result), exact, bound) : NAN;
+}
+/// The largest share of three numbers.
+inline double shareOf(const double* result, const BigVec& exact, const BigVec& bound) {
+  return std::max({shareOf(result[0], exact.x, bound.x), shareOf(result[1], exact.y, bound.y),
+                   shareOf(result[2], exact.z, bound.z)});
+}
 
 }  // namespace xnewell

@@ -10,14 +10,12 @@
 #include "shading/fill/evaluate_pixels.h"
 #include "shading/fill/ramp.h"
 #include "shading/fill/reflect.h"
-#include "tests/kernels/big.h"
 #include "tests/kernels/search.h"
 
 namespace xnewell {
 
 namespace {
 
-int whole(double v) { return static_cast<int>(v); }
 template <class Real>
 constexpr double kUnit = std::is_same_v<Real, float> ? kSingle : kU;
 template <class Real>

@@ -2,12 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <glm/geometric.hpp>
+#include <random>
+#include <span>
 #include <vector>
 
+#include "shading/color/color_difference.h"
 #include "shading/color/index_image.h"
+#include "shading/color/palette.h"
 #include "shading/color/quantize.h"
 #include "shading/color/rgb_image.h"
 
@@ -83,6 +89,46 @@ inline RgbImage blocksOf(const RgbImage& image) {
         blocks.pixel(i, j)[axis] = static_cast<std::uint8_t>((sum + 32) / 64);
       }
   return blocks;
+}
+
+/// Statistics of CIEDE2000 over the pixels that count.
+struct ImageDifference {
+  double mean = 0, largest = 0;  ///< 0 if no pixel counts
+  std::int64_t pixels = 0;
+};
+/// Compares two pictures of the same size pixel by pixel. `counts` holds one byte per pixel; 0 leaves the
+/// pixel out. If `counts` is empty, every pixel counts.
+[[nodiscard]] inline ImageDifference imageDifference(const RgbImage& p, const RgbImage& q,
+                                                     std::span<const std::uint8_t> counts = {}) {
+  assert(p.width == q.width && p.height == q.height);
+  assert(counts.empty() || counts.size() * 3 == p.rgb.size());
+  ImageDifference result;
+  double sum = 0;
+  // Neighbouring pixels are often alike, so we keep the difference of the last pair.
+  const std::uint8_t* lastP = nullptr;
+  const std::uint8_t* lastQ = nullptr;
+  double difference = 0;
+  for (std::size_t k = 0; 3 * k < p.rgb.size(); ++k) {
+    if (!counts.empty() && !counts[k]) continue;
+    const std::uint8_t *atP = &p.rgb[3 * k], *atQ = &q.rgb[3 * k];
+    if (!lastP || std::memcmp(atP, lastP, 3) || std::memcmp(atQ, lastQ, 3))
+      difference = std::memcmp(atP, atQ, 3) ? ciede2000(labFromSrgb(atP), labFromSrgb(atQ)) : 0.0;
+    lastP = atP, lastQ = atQ;
+    sum += difference;
+    result.largest = std::max(result.largest, difference);
+    ++result.pixels;
+  }
+  if (result.pixels) result.mean = sum / static_cast<double>(result.pixels);
+  return result;
+}
+
+/// Scattered colours, so that no two cells can be mixed up.
+inline Palette scattered(unsigned seed) {
+  std::mt19937 rng{seed};
+  const auto value = [&] { return static_cast<std::uint16_t>(rng()); };
+  Palette palette;
+  for (Rgb16& c : palette) c = {value(), value(), value()};
+  return palette;
 }
 
 }  // namespace xnewell

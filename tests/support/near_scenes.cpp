@@ -26,29 +26,9 @@ class Maker {
     scale_ = seed_ % 5 == 4 ? std::pow(10.0, -6 + static_cast<int>(seed_ / 5 % 13)) : 1.0;
     scene_.mesh.groupNames = {""};
     axes();
-    switch (family_) {
-      case Near::Rugs:
-        rugs();
-        break;
-      case Near::TiledWall:
-        tiledWall();
-        break;
-      case Near::Sheets:
-        sheets();
-        break;
-      case Near::Cards:
-        cards();
-        break;
-      case Near::Cycle:
-        cycle();
-        break;
-      case Near::Triangles:
-        triangles();
-        break;
-      case Near::Boxes:
-        boxes();
-        break;
-    }
+    static constexpr std::array kMade{&Maker::rugs,  &Maker::tiledWall, &Maker::sheets, &Maker::cards,
+                                      &Maker::cycle, &Maker::triangles, &Maker::boxes};
+    (this->*kMade[static_cast<std::size_t>(family_)])();
     if (0.5 * unit_ > 1.7e-5 * side()) triangulate();
     for (glm::dvec3& p : scene_.mesh.points) p *= scale_;
     scene_.u = 0.5 * unit_ * scale_;

@@ -1,4 +1,4 @@
-#include "tests/support/off_list.h"
+#include "tests/support/student.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,6 @@ namespace student {
 
 namespace {
 
-double dot(const Triple& a, const Triple& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double sq(double v) { return v * v; }
 
 /// The terms without Ia, f and Ip; the last two multiply d and s.
@@ -82,14 +81,14 @@ const std::map<std::string, Changed> kTerms{
 {"number-kd-for-ks", [](Terms& t, const Place& p, double, double r, double lit) { t.s = lit * p.kd * std::pow(r, p.n); }},
 {"number-ks-forgotten", [](Terms& t, const Place& p, double, double r, double lit) { t.s = lit * std::pow(r, p.n); }},
 {"spec-step", [](Terms& t, const Place& p, double, double r, double lit) { t.s = r > 0.9 ? lit * p.ks : 0; }},
-{"LV", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::max(0.0, dot(p.L, p.V)), p.n); }},
+{"LV", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::max(0.0, dotOf(p.L, p.V)), p.n); }},
 {"NV-to-n", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::fabs(p.NV), p.n); }},
 {"H-long", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::max(0.0, p.NL + p.NV), p.n); }},
 {"H-mean", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::max(0.0, (p.NL + p.NV) / 2), p.n); }},
 {"R-without-L", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::max(0.0, 2 * p.NL * p.NV), p.n); }},
-{"R-half-L", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::max(0.0, 2 * p.NL * p.NV - dot(p.L, p.V) / 2), p.n); }},
-{"R-of-L", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::max(0.0, 2 * p.NL * dot(p.L, p.V) - p.NV), p.n); }},
-{"R-with-3", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::clamp(3 * p.NL * p.NV - dot(p.L, p.V), 0.0, 1.0), p.n); }},
+{"R-half-L", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::max(0.0, 2 * p.NL * p.NV - dotOf(p.L, p.V) / 2), p.n); }},
+{"R-of-L", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::max(0.0, 2 * p.NL * dotOf(p.L, p.V) - p.NV), p.n); }},
+{"R-with-3", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::clamp(3 * p.NL * p.NV - dotOf(p.L, p.V), 0.0, 1.0), p.n); }},
 {"rim", [](Terms& t, const Place& p, double, double, double) { t.s += 0.3 * std::pow(1 - std::fabs(p.NV), 3); }},
 {"V-is-z", [](Terms& t, const Place& p, double, double, double lit) { t.s = lit * p.ks * std::pow(std::max(0.0, 2 * p.NL * p.N[2] - p.L[2]), p.n); }},
 {"RV-by-angle", [](Terms& t, const Place& p, double, double r, double lit) { t.s = lit * p.ks * std::pow(std::max(0.0, 1 - std::acos(std::min(1.0, r)) / 1.5707963), p.n); }},

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <array>
-#include <glm/vec2.hpp>
 #include <random>
 #include <vector>
 
 #include "geometry/model/solids.h"
+#include "shading/fill/affine.h"
 #include "shading/fill/evaluate_pixels.h"
 
 namespace xnewell {
@@ -106,5 +106,9 @@ class RandomTriangles {
   Lighting lighting_;
   Texture texture_;
 };
+
+[[nodiscard]] inline AffineValue affineOver(const glm::ivec3* p, const std::array<double, 3>& v) {
+  return AffineOver{p}(v);
+}
 
 }  // namespace xnewell

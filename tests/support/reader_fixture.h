@@ -49,4 +49,22 @@ inline std::string mutated(std::string text, std::mt19937& rng) {
   return text;
 }
 
+/// How many of `count` texts are read: `whole` cut off at each byte, then with a few wrong bytes. The others
+/// are complained of with the file's name.
+template <std::invocable<const std::string&> Read>
+int survivors(const std::string& whole, int count, const std::string& name, Read read) {
+  std::mt19937 rng{7};
+  int readable = 0;
+  for (int i = 0; i < count; ++i) {
+    SCOPED_TRACE(i);
+    const std::string text = i <= std::ssize(whole) ? whole.substr(0, i) : mutated(whole, rng);
+    const std::string what = complaint([&] {
+      read(text);
+      return ++readable;
+    });
+    EXPECT_TRUE(what.empty() || what.starts_with(name + ':')) << what;
+  }
+  return readable;
+}
+
 }  // namespace xnewell

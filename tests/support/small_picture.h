@@ -1,6 +1,10 @@
 #pragma once
 
+#include <vector>
+
+#include "depthsort/fragment_spans.h"
 #include "shading/picture/picture.h"
+#include "shading/picture/picture_cache.h"
 
 namespace xnewell {
 
@@ -10,6 +14,20 @@ inline PictureSettings small() {
   s.width = 240;
   s.height = 180;
   return s;
+}
+
+/// How often the painter paints each sample.
+inline std::vector<int> timesPainted(const SnappedScene& scene, int width, int height) {
+  std::vector<int> times(std::size_t(width) * height, 0);
+  for (const SnappedFace& f : scene.faces)
+    forEachSpan(&scene.vertices[f.first], f.count, width, height, [&](int row, int from, int to) {
+      for (int i = from; i < to; ++i) ++times[std::size_t(row) * width + i];
+    });
+  return times;
+}
+
+inline IndexImage painted(PictureCache& pictures, const PictureSettings& settings) {
+  return pictures.make(settings, 8).image();
 }
 
 }  // namespace xnewell

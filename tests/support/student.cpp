@@ -1,6 +1,4 @@
 #include "tests/support/student.h"
-#include "tests/support/off_list.h"
-#include "tests/support/student_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +11,8 @@ namespace {
 Triple plus(Triple a, Triple b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Triple minus(Triple a, Triple b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Triple times(double s, Triple a) { return {s * a[0], s * a[1], s * a[2]}; }
-double dotOf(Triple a, Triple b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double lengthOf(Triple a) { return std::sqrt(dotOf(a, a)); }
 Triple unitOf(Triple a) { return lengthOf(a) > 0 ? times(1 / lengthOf(a), a) : a; }
-Triple crossOf(Triple a, Triple b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 constexpr double kPi = 3.14159265358979323846;
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,11 @@ namespace student {
 /// mistakes that shading/diagnose knows, by its key; `variant` does something that the course allows.
 
 using Triple = std::array<double, 3>;
+
+inline double dotOf(const Triple& a, const Triple& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Triple crossOf(const Triple& a, const Triple& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 
 struct Surface {
   double ka = 0.9, kd = 0.9, ks = 0.4;
@@ -42,7 +48,7 @@ struct Program {
   /// V also to turn N, r also to find a cell.
   bool flows = false;
   double I0 = 0.02;         ///< of the corrected table
-  bool byMatrices = false;  ///< student_view.h; flat, with exact edges
+  bool byMatrices = false;  ///< drawByMatrices(); flat, with exact edges
   bool half = false;        ///< corners half a pixel off
   bool zbuffer = false;     ///< else sorted by far z, or by mean z with the variant "zmean"
   int width = 640, height = 480;
@@ -57,5 +63,28 @@ struct Result {
 };
 
 [[nodiscard]] Result draw(const World& world, const Program& program);
+
+/// What the equation has at a place, for one light.
+struct Place {
+  Triple N, L, V, P;
+  double NL, NV, RV, d, f, Ip, Ia, ka, kd, ks;
+  int n;
+};
+
+/// Mistakes of the equation that no list of shading/diagnose has. Their keys begin with "off-".
+[[nodiscard]] const std::vector<std::string>& offListKeys();
+[[nodiscard]] double offList(const std::string& key, const Place& at);
+
+/// The student's viewing transformation by 4 x 4 matrices, as in the textbook, for flat faces. `mistake`
+/// plants one of the mistakes of the view; `variant` is another convention that gives the same picture.
+
+/// The picture; `cellOf` tells the cell of a face.
+[[nodiscard]] Result drawByMatrices(const World& world, const Program& program,
+                                    const std::function<int(int face)>& cellOf);
+/// What the program takes for the normal of a face, and for a light, in viewing coordinates, turned back to
+/// the world's.
+[[nodiscard]] Triple normalInView(const World& world, const Program& program, const Triple& N);
+[[nodiscard]] Triple lightInView(const World& world, const Program& program, const Triple& light,
+                                 const Triple& P);
 
 }  // namespace student

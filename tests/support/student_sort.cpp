@@ -51,11 +51,7 @@ Outline clipped(const Outline& p, const Plane& line, double side) {
   return kept;
 }
 Plane minus(const Plane& p, const Plane& q) { return {p.a - q.a, p.b - q.b, p.c - q.c}; }
-double dotOf(const Triple& a, const Triple& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Triple less(const Triple& a, const Triple& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Triple cross(const Triple& a, const Triple& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 Triple unit(const Triple& a) {
   const double length = std::sqrt(dotOf(a, a));
   return {a[0] / length, a[1] / length, a[2] / length};
@@ -65,7 +61,7 @@ class Sort {
  public:
   Sort(const World& w, int width, int height, const char* file, unsigned seed, std::string_view fault)
       : run_{file, width, height}, random_{seed}, fault_{fault} {
-    const Triple n = unit(less(w.eye, w.at)), u = unit(cross(w.up, n)), v = cross(n, u);
+    const Triple n = unit(less(w.eye, w.at)), u = unit(crossOf(w.up, n)), v = crossOf(n, u);
     const double scale = height / 2.0 / std::tan(w.fov / 360 * 3.14159265358979323846);
     for (std::size_t f = 0; f < w.faces.size(); ++f) {
       Item P{static_cast<int>(f), {}, {}, {}, 0, 0};
@@ -87,7 +83,7 @@ class Sort {
       if (area < 0) std::ranges::reverse(P.outline);
       const auto& corners = w.faces[f];
       const auto place = [&](std::size_t k) { return w.points[static_cast<std::size_t>(corners[k])]; };
-      const Triple N = unit(cross(less(place(1), place(0)), less(place(2), place(0))));
+      const Triple N = unit(crossOf(less(place(1), place(0)), less(place(2), place(0))));
       const double NL = dotOf(N, unit({0.3, 0.5, 0.8}));
       P.shade = {N[0], N[1], N[2], NL, std::floor(20 + 100 * std::abs(NL))};
       insert(P);

@@ -1,4 +1,4 @@
-#include "tests/support/student_view.h"
+#include "tests/support/student.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,9 +53,6 @@ Matrix rotation(int axis, double angle) {
   return r;
 }
 Triple negative(const Triple& a) { return {-a[0], -a[1], -a[2]}; }
-Triple cross(const Triple& a, const Triple& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 double length(const Triple& a) { return std::hypot(a[0], a[1], a[2]); }
 Triple unit(const Triple& a) { return {a[0] / length(a), a[1] / length(a), a[2] / length(a)}; }
 Triple times3(const Matrix& a, const Triple& p) {
@@ -72,7 +69,7 @@ struct Viewing {
     Triple up = w.up;
     if (has("other-VUP"))  // in the plane of VUP and n
       for (int k = 0; k < 3; ++k) up[k] = 3 * up[k] + 0.4 * n[k];
-    Triple u = unit(cross(up, n)), v = cross(n, u);
+    Triple u = unit(crossOf(up, n)), v = crossOf(n, u);
     if (has("v-is-VUP")) v = unit(w.up);
     if (has("u-left-handed")) u = negative(u);
     R = axes(u, v, n);

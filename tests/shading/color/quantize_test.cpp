@@ -1,23 +1,53 @@
-#include "shading/color/quantize.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
-#include <numeric>
 #include <random>
 #include <set>
+#include <vector>
 
 #include "shading/color/color_difference.h"
-#include "tests/support/image_difference.h"
-#include "tests/support/quantized.h"
+#include "shading/color/few_colors.h"
+#include "shading/color/quantize.h"
+#include "tests/support/full_color_picture.h"
 
 namespace xnewell::THIS_FILE {
 
-// Colours chosen for a picture. The fixed cube: color_cube_test.cpp.
-
 namespace {
+
+/// ---- Colours chosen for a picture
+
+/// Pictures with colours for quantize(), and what it makes of them.
+
+int squaredDistance(glm::u8vec3 p, glm::u8vec3 q) {
+  int sum = 0;
+  for (int axis = 0; axis < 3; ++axis) sum += (p[axis] - q[axis]) * (p[axis] - q[axis]);
+  return sum;
+}
+
+RgbImage pictureOf(const std::vector<glm::u8vec3>& colors, int width) {
+  RgbImage image{width, static_cast<int>(colors.size()) / width};
+  for (std::size_t k = 0; k < image.rgb.size(); ++k) image.rgb[k] = colors[k / 3][int(k % 3)];
+  return image;
+}
+
+glm::u8vec3 randomColor(std::mt19937& rng) {
+  return {std::uint8_t(rng()), std::uint8_t(rng()), std::uint8_t(rng())};
+}
+
+struct Result {
+  std::vector<Rgb16> colors;
+  IndexImage cells;
+  RgbImage image;
+};
+Result resultOf(const RgbImage& picture, const QuantizeSettings& settings, Shows shows = {}) {
+  Result result{{}, IndexImage{picture.width, picture.height, 0}, {}};
+  result.colors = quantize(picture, shows, settings, result.cells);
+  result.image = shown(result.cells, result.colors, settings.first);
+  return result;
+}
 
 std::vector<glm::u8vec3> differentColors(std::mt19937& rng, std::size_t count) {
   std::vector<glm::u8vec3> colors;
@@ -49,8 +79,6 @@ const std::vector<RgbImage>& gradients() {
   };
   return all;
 }
-
-}  // namespace
 
 // A pixel that shows nothing keeps its cell, and its colour does not count. A pixel that shows something gets
 // one of the scene's cells.
@@ -293,23 +321,6 @@ TEST(Quantize, ADitheredPaletteComesNearerInTheMean) {
   EXPECT_GE(plain, 200);
 }
 
-// Dithering brings the means of 8 x 8 blocks nearer to the picture's where colours change slowly. This holds
-// for the cube and for palettes of few and of many colours.
-TEST(Quantize, DitheringKeepsTheMeansOfBlocks) {
-  std::vector<RgbImage> pictures = gradients();
-  pictures.push_back(coloredBalls(640, 480).rgb);
-  for (const RgbImage& picture : pictures)
-    for (const QuantizeSettings settings : {QuantizeSettings{.quantizer = Quantizer::Cube},
-                                            QuantizeSettings{.colors = 24}, QuantizeSettings{}}) {
-      const auto mean = [&](bool dither) {
-        QuantizeSettings s = settings;
-        s.dither = dither;
-        return imageDifference(blocksOf(picture), blocksOf(resultOf(picture, s).image)).mean;
-      };
-      EXPECT_LT(mean(true), mean(false));
-    }
-}
-
 // Every cell is used for a picture of all 2^24 colours, each once. Halving the box that gains most makes 128
 // boxes of 64 x 64 x 32 and then divides those. So no colour is farther from its cell than the corner of such
 // a box is from its mean.
@@ -336,5 +347,131 @@ TEST(Quantize, AllColours) {
   for (int cell = 0; cell < 256; ++cell) EXPECT_EQ(used[cell] > 0, cell >= 11 && cell < 251);
   EXPECT_LE(furthest, 32 * 32 + 32 * 32 + 16 * 16);
 }
+
+/// ---- The fixed cube of 240 colours, plain and dithered
+
+constexpr std::array<int, 3> kLevels{6, 8, 5};
+
+/// Level k of n, as the header has it.
+int levelOf(int k, int n) { return (2 * 255 * k + n - 1) / (2 * (n - 1)); }
+
+// The ranks are 0..63, each once, and the first rows are as printed.
+TEST(Quantize, BayerRanks) {
+  std::set<int> ranks;
+  for (int place = 0; place < 64; ++place) ranks.insert(bayerRank(place % 8, place / 8));
+  EXPECT_EQ(ranks.size(), 64u);
+  EXPECT_EQ(*ranks.begin(), 0);
+  EXPECT_EQ(*ranks.rbegin(), 63);
+  const int rows[2][8] = {{0, 32, 8, 40, 2, 34, 10, 42}, {48, 16, 56, 24, 50, 18, 58, 26}};
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 8; ++i) {
+      EXPECT_EQ(bayerRank(i, j), rows[j][i]);
+      EXPECT_EQ(bayerRank(i + 8, j + 16), rows[j][i]);
+    }
+}
+
+// The 240 colours of the cube are different, and its ends are the ends of every channel.
+TEST(Quantize, TheCubeHas240Colours) {
+  const std::vector<glm::u8vec3> cube = cubeColors();
+  ASSERT_EQ(cube.size(), 240u);
+  EXPECT_EQ(cube.front(), glm::u8vec3(0, 0, 0));
+  EXPECT_EQ(cube.back(), glm::u8vec3(255, 255, 255));
+  for (std::size_t k = 0; k < cube.size(); ++k)
+    for (std::size_t l = 0; l < k; ++l) ASSERT_NE(cube[k], cube[l]);
+}
+
+// Every value of every channel goes to the nearest level, at most half a step away, and none of the 240
+// colours is nearer than the chosen one.
+TEST(Quantize, TheCubeTakesTheNearestLevel) {
+  std::mt19937 rng{13};
+  std::vector<glm::u8vec3> colors;
+  for (int v = 0; v < 256; ++v) {
+    const auto value = [](int w) { return static_cast<std::uint8_t>(w); };
+    colors.push_back({value(v), value(255 - v), value(v * 7)});
+    colors.push_back({value(v * 5), value(v), value(255 - v)});
+  }
+  for (int k = 0; k < 1024; ++k) colors.push_back(randomColor(rng));
+  const Result result = resultOf(pictureOf(colors, 64), {.quantizer = Quantizer::Cube});
+  const std::vector<glm::u8vec3> cube = cubeColors();
+  for (std::size_t k = 0; k < colors.size(); ++k) {
+    const glm::u8vec3 taken = cube[result.cells.pixels[k] - 11];
+    for (int axis = 0; axis < 3; ++axis) {
+      const int largestStep = (255 + kLevels[axis] - 2) / (kLevels[axis] - 1);
+      ASSERT_LE(2 * std::abs(taken[axis] - colors[k][axis]), largestStep);
+    }
+    int least = 1 << 20;
+    for (const glm::u8vec3 c : cube) least = std::min(least, squaredDistance(c, colors[k]));
+    ASSERT_EQ(squaredDistance(taken, colors[k]), least);
+  }
+}
+
+// If a constant colour is dithered with the cube, the average of each channel over any 8 x 8 block is within
+// 1/128 of the step in which it lies. The test counts exactly, for all values.
+TEST(Quantize, ADitheredCubeKeepsTheAverage) {
+  int between = 0;
+  for (int v = 0; v < 256; ++v) {
+    const std::array<int, 3> value{v, 255 - v, v * 3 % 256};
+    RgbImage picture{21, 19};
+    for (std::size_t k = 0; k < picture.rgb.size(); ++k) picture.rgb[k] = std::uint8_t(value[k % 3]);
+    const Result result = resultOf(picture, {.quantizer = Quantizer::Cube, .dither = true});
+    for (const auto& [left, top] : {std::pair{0, 0}, std::pair{5, 3}, std::pair{13, 11}})
+      for (int axis = 0; axis < 3; ++axis) {
+        int sum = 0;
+        for (int place = 0; place < 64; ++place)
+          sum += result.image.pixel(left + place % 8, top + place / 8)[axis];
+        int k = 0;
+        while (k + 2 < kLevels[axis] && levelOf(k + 1, kLevels[axis]) <= value[axis]) ++k;
+        const int step = levelOf(k + 1, kLevels[axis]) - levelOf(k, kLevels[axis]);
+        ASSERT_LE(2 * std::abs(sum - 64 * value[axis]), step) << v << ' ' << axis;
+        between += sum % 64 != 0;
+      }
+  }
+  EXPECT_GT(between, 1000);
+}
+
+// Colours of the cube stay as they are, with and without dithering.
+TEST(Quantize, TheCubesOwnColoursStay) {
+  const RgbImage picture = pictureOf(cubeColors(), 16);
+  for (const bool dither : {false, true})
+    EXPECT_EQ(resultOf(picture, {.quantizer = Quantizer::Cube, .dither = dither}).image, picture);
+}
+
+/// ---- Few colours
+
+/// A picture with this number of different colours, in random order.
+RgbImage pictureOf(int colors, int width, int height) {
+  std::mt19937 rng{static_cast<unsigned>(colors)};
+  RgbImage picture{width, height};
+  for (int k = 0; k < width * height; ++k) {
+    const int c = k < colors ? k : static_cast<int>(rng() % colors);
+    std::uint8_t* const rgb = &picture.rgb[3 * k];
+    rgb[0] = static_cast<std::uint8_t>(255 - c % 251), rgb[1] = static_cast<std::uint8_t>(7 * c),
+    rgb[2] = static_cast<std::uint8_t>(c / 200);
+  }
+  return picture;
+}
+
+// A picture of up to 256 colours comes back pixel for pixel, in ascending cells. With one colour more there
+// are no cells for it.
+TEST(FewColors, AreAllKept) {
+  for (const int colors : {1, 2, 100, 256}) {
+    SCOPED_TRACE(colors);
+    const RgbImage picture = pictureOf(colors, 61, 20);
+    const std::optional<ColoredImage> cells = inFewColors(picture);
+    ASSERT_TRUE(cells);
+    for (std::size_t k = 0; k < cells->image.pixels.size(); ++k) {
+      const Rgb16 c = cells->palette[cells->image.pixels[k]];
+      ASSERT_EQ(c.r, 257 * picture.rgb[3 * k]);
+      ASSERT_EQ(c.g, 257 * picture.rgb[3 * k + 1]);
+      ASSERT_EQ(c.b, 257 * picture.rgb[3 * k + 2]);
+    }
+    const auto key = [](const Rgb16& c) { return std::tuple{c.r, c.g, c.b}; };
+    for (int c = 1; c < colors; ++c) EXPECT_LT(key(cells->palette[c - 1]), key(cells->palette[c]));
+    for (int c = colors; c < 256; ++c) EXPECT_EQ(cells->palette[c], Rgb16{});
+  }
+  EXPECT_FALSE(inFewColors(pictureOf(257, 61, 20)));
+}
+
+}  // namespace
 
 }  // namespace xnewell::THIS_FILE

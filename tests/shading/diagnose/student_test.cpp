@@ -2,20 +2,25 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
-#include <map>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "shading/diagnose/diagnose.h"
-#include "tests/support/off_list.h"
 #include "tests/support/seeds.h"
+#include "tests/support/student.h"
 #include "tests/support/student_world.h"
 
 namespace xnewell::THIS_FILE {
 
 namespace {
+
+/// ---- A student's pictures
 
 /// The pictures of the student in support/student.cpp, by name of what is planted.
 class Students {
@@ -26,21 +31,21 @@ class Students {
     settings_.camera = scene.camera, settings_.shading = method, settings_.table.kind = table;
     settings_.normals = NormalRule::Sum;
     settings_.width = 320, settings_.height = 240;
-    diagnoser_.emplace(std::move(scene), settings_);
-    world_ = studentsWorld(diagnoser_->picture());
+    diagnoser.emplace(std::move(scene), settings_);
+    world = studentsWorld(diagnoser->picture());
   }
 
   [[nodiscard]] Diagnosis diagnosed(student::Program program, bool indexed = false) {
     program.method = static_cast<char>(std::tolower(rowOf(method_).label[0]));
     program.table = kTables[static_cast<std::size_t>(table_)].name[0];
     program.width = settings_.width, program.height = settings_.height;
-    return (*diagnoser_)(handedInBy(student::draw(world_, program), indexed));
+    return (*diagnoser)(handedInBy(student::draw(world, program), indexed));
   }
 
   /// True if no sample shows the mistake: each is within `most` shades of right.
   [[nodiscard]] bool isInvisible(const std::string& key, double most) {
-    const auto right = diagnoser_->predicted(diagnoser_->approachWith(hypotheses().front()));
-    const auto other = diagnoser_->predicted(diagnoser_->approachWith(*hypothesisNamed(key)));
+    const auto right = diagnoser->predicted(diagnoser->approachWith(hypotheses().front()));
+    const auto other = diagnoser->predicted(diagnoser->approachWith(*hypothesisNamed(key)));
     for (std::size_t k = 0; k < right.size(); ++k)
       if (right[k].shows != other[k].shows || std::abs(right[k].value[0] - other[k].value[0]) > most)
         return false;
@@ -58,9 +63,9 @@ class Students {
     std::vector<std::string> all;
     std::set<std::string_view> seen;
     for (const Hypothesis& h : hypotheses()) {
-      if (h.way.view) continue;  // view_test.cpp
+      if (h.way.view) continue;  // below
       const bool lamps = h.key.starts_with("f-") || h.key == "L-place-as-direction";
-      const bool here = world_.lamp ? h.key != "L-direction-as-place" && h.key != "f-1/d2" : !lamps;
+      const bool here = world.lamp ? h.key != "L-direction-as-place" && h.key != "f-1/d2" : !lamps;
       if (h.meaning == meaning && here && (!h.applies || h.applies(settings_)) &&
           !kNotPlanted.contains(h.key) && seen.insert(h.key).second)
         all.emplace_back(h.key);
@@ -68,12 +73,13 @@ class Students {
     return all;
   }
 
+  std::optional<Diagnoser> diagnoser;
+  student::World world;
+
  private:
   Shading method_;
   TableKind table_;
   PictureSettings settings_;
-  std::optional<Diagnoser> diagnoser_;
-  student::World world_;
 };
 
 bool isRight(const Diagnosis& d) { return d.verdict == Marking::Right || d.verdict == Marking::Allowed; }
@@ -131,8 +137,6 @@ Confusion confusionOn(const std::string& scene) {
   all.record();
   return all;
 }
-
-}  // namespace
 
 // The confusion table on the bench: a second program plants each mistake, and none gets a wrong name. A class
 // of two stands where both are the same picture: V-sign and R-sign by algebra, cell-off-by-one and table-i-11
@@ -262,11 +266,9 @@ TEST(Diagnose, TellsTwoAtOnce) {
 // Another camera, another size and an empty picture are another scene; the pixel where a mistake shows has
 // the picture's own value.
 TEST(Diagnose, LooksAtOutlinesFirst) {
-  Scene scene = readScene("bench-n3");
-  PictureSettings s = scene.settings;
-  s.camera = scene.camera, s.width = 320, s.height = 240;
-  Diagnoser diagnoser{std::move(scene), s};
-  student::World world = studentsWorld(diagnoser.picture());
+  Students students{"bench-n3", Shading::Flat, TableKind::Linear};
+  Diagnoser& diagnoser = *students.diagnoser;
+  student::World& world = students.world;
   student::Program program{.mistake = "L-sign", .width = 320, .height = 240};
   const student::Result drawn = student::draw(world, program);
   const Diagnosis wrong = diagnoser(handedInBy(drawn));
@@ -278,10 +280,14 @@ TEST(Diagnose, LooksAtOutlinesFirst) {
   world.eye[0] += 0.5;
   EXPECT_EQ(diagnoser(handedInBy(student::draw(world, program))).verdict, Marking::OtherScene);
   program.width = 300;
-  EXPECT_EQ(diagnoser(handedInBy(student::draw(world, program))).verdict, Marking::OtherScene);
+  const Diagnosis narrow = diagnoser(handedInBy(student::draw(world, program)));
+  EXPECT_EQ(narrow.verdict, Marking::OtherScene);
+  EXPECT_TRUE(narrow.isOtherSize);
   HandedIn empty{.picture = RgbImage{320, 240}, .cells = {}, .held = {}};
   std::ranges::fill(empty.picture.rgb, std::uint8_t{128});
-  EXPECT_EQ(diagnoser(empty).verdict, Marking::OtherScene) << "all of it is one colour";
+  const Diagnosis gray = diagnoser(empty);
+  EXPECT_EQ(gray.verdict, Marking::OtherScene);
+  EXPECT_TRUE(gray.isOneColor && !gray.isOtherSize);
   // All black may come from values of 8 bits where the server takes 16, or from much else.
   std::ranges::fill(empty.picture.rgb, std::uint8_t{0});
   const Diagnosis black = diagnoser(empty);
@@ -289,25 +295,163 @@ TEST(Diagnose, LooksAtOutlinesFirst) {
   EXPECT_TRUE(std::ranges::all_of(black.found, [](const Fit& f) { return f.first->way.view != nullptr; }));
 }
 
-// Other numbers are told as numbers: twice the n, y and z of the light swapped.
+// Other numbers are told as numbers: y and z of the light swapped.
 TEST(Diagnose, TriesLikelyNumbers) {
-  Scene scene = readScene("bench-n3");
-  PictureSettings s = scene.settings;
-  s.camera = scene.camera, s.width = 320, s.height = 240;
-  Diagnoser diagnoser{std::move(scene), s};
-  const student::World world = studentsWorld(diagnoser.picture());
-  const student::Program program{.width = 320, .height = 240};
-  student::World other = world;
-  for (student::Surface& surface : other.surfaces) surface.n *= 2;
-  Diagnosis d = diagnoser(handedInBy(student::draw(other, program)));
-  ASSERT_EQ(d.verdict, Marking::Numbers);
-  ASSERT_TRUE(d.found[0].number);
-  EXPECT_EQ(d.found[0].number->is, 6);
-  other = world;
-  std::swap(other.light[1], other.light[2]);
-  d = diagnoser(handedInBy(student::draw(other, program)));
+  Students students{"bench-n3", Shading::Flat, TableKind::Linear};
+  std::swap(students.world.light[1], students.world.light[2]);
+  const Diagnosis d = students.diagnosed({});
   ASSERT_EQ(d.verdict, Marking::Numbers);
   EXPECT_EQ(d.found[0].first->key, "light-yz");
 }
+
+/// ---- Mistakes of the view
+
+/// A camera whose window is not centred, in the textbook's words and in the student's.
+struct Looks {
+  std::string scene;
+  glm::dvec3 eye, at, up;
+  double fov;
+  std::array<double, 2> shift;
+};
+const std::vector<Looks> kLooks{
+    {"bench-n3", {2.85, -2.87, 3.01}, {0.27, 0.12, 0.25}, {0, 0, 1}, 44, {0.3, 0.2}},
+    {XNEWELL_DATA_DIR "/../x11/example/house.obj", {4, 3, 6}, {0, 0.4, 0}, {0, 1, 0}, 30, {-0.2, 0.25}},
+    {"bench-n3", {0.9, -1.5, 0.7}, {0.35, 0.12, 0.35}, {0, 0, 1}, 60, {0.2, -0.1}},
+};
+
+/// The student of support/student_view.cpp, with 4 x 4 matrices of its own and a z-buffer.
+class Viewer {
+ public:
+  explicit Viewer(const Looks& looks, bool centred = false) {
+    Scene scene = readScene(looks.scene);
+    PictureSettings s = scene.settings;
+    s.width = 320, s.height = 240, s.shading = Shading::Flat;
+    if (looks.scene.ends_with("obj")) s.light.light = glm::dvec3{-0.5, 0.6, 0.4};
+    CameraSettings& camera = s.camera;
+    const double D = glm::length(looks.eye - looks.at), high = D * std::tan(glm::radians(looks.fov / 2));
+    const double x = centred ? 0 : looks.shift[0] * high, y = centred ? 0 : looks.shift[1] * high,
+                 wide = high * s.width / s.height;
+    camera.vrp = looks.at, camera.vpn = looks.eye - looks.at, camera.vup = looks.up;
+    camera.prp = glm::dvec3{0, 0, D};
+    camera.window = glm::dvec4{x - wide, x + wide, y - high, y + high};
+    camera.front = D - 0.05, camera.back = D - 40;
+    diagnoser.emplace(std::move(scene), s);
+    world = studentsWorld(diagnoser->picture());
+    const auto triple = [](const glm::dvec3& v) { return student::Triple{v.x, v.y, v.z}; };
+    world.eye = triple(looks.eye), world.at = triple(looks.at), world.up = triple(looks.up);
+    world.fov = looks.fov, world.front = 0.05, world.back = 40;
+    if (!centred) world.shift = looks.shift;
+    program.byMatrices = true, program.width = s.width, program.height = s.height;
+  }
+  [[nodiscard]] Diagnosis diagnosed(const std::string& mistake, const std::string& variant = "") {
+    program.mistake = mistake, program.variant = variant;
+    return (*diagnoser)(handedInBy(student::draw(world, program)));
+  }
+
+  std::optional<Diagnoser> diagnoser;
+  student::World world;
+  student::Program program;
+};
+
+constexpr const char* kPlanted =
+    "view-T-after-R view-S-first R-angles-negated R-in-degrees fov-in-degrees R-transposed "
+    "view-transposed rows-for-columns R-wrong-axis w-not-divided divided-before-clipping "
+    "aspect-inverted aspect-forgotten fov-not-halved fov-horizontal v-is-VUP VPN-reversed "
+    "u-left-handed eye-and-look-at-exchanged shear-forgotten shear-negated "
+    "window-centre-forgotten viewport-half-pixel viewport-one-short flip-y near-plane-negated "
+    "z-not-kept N-not-turned N-by-M N-scaled L-not-moved";
+
+// Each mistake of the viewing transformation, planted on three scenes, gets its name or a class with it, and
+// none a wrong name. A mistake that changes no pixel is right.
+TEST(View, NamesThePlantedMistake) {
+  int planted = 0, named = 0;
+  std::string others;
+  for (const Looks& looks : kLooks) {
+    Viewer viewer{looks};
+    const auto right = student::draw(viewer.world, viewer.program).cell;
+    std::istringstream keys{kPlanted};
+    for (std::string key; keys >> key;) {
+      const Diagnosis d = viewer.diagnosed(key);
+      if (student::draw(viewer.world, viewer.program).cell == right) continue;
+      ++planted;
+      const bool isNamed = std::ranges::any_of(d.found, [&](const Fit& f) {
+        return f.first->key == (key == "z-not-kept" ? "order-none" : key) && !f.second;
+      });
+      named += isNamed;
+      std::string names;
+      for (const Fit& f : d.found)
+        names += ' ' + std::string{f.first->key} + (f.second ? "+" + std::string{f.second->key} : "");
+      if (!isNamed)
+        others += looks.scene + ' ' + key + ':' + names + " overlap " + std::to_string(d.outlines.overlap) +
+                  " verdict " + std::to_string(int(d.verdict)) + '\n';
+      const bool accuses =
+          d.verdict == Marking::Mistake || d.verdict == Marking::OneOf || d.verdict == Marking::Numbers;
+      EXPECT_TRUE(isNamed || !accuses) << looks.scene << ' ' << key << ':' << names;
+    }
+  }
+  RecordProperty("planted", planted);
+  RecordProperty("named", named);
+  EXPECT_GE(named * 100, planted * 92) << planted << '\n' << others;
+}
+
+// A camera that is a little off is none of the mistakes, and neither is a light that is.
+TEST(View, HasNoNameForACameraThatIsOff) {
+  int pictures = 0, named = 0;
+  std::string misnamed;
+  for (const Looks& looks : someOf(kLooks, 1))
+    for (const double by : {-0.006, 0.01, 0.05})
+      for (int what = 0; what < 4; ++what) {
+        Viewer viewer{looks};
+        student::World& w = viewer.world;
+        if (what == 0) w.fov *= 1 + by;
+        if (what == 1) w.eye[0] += 3 * by, w.eye[2] -= by;
+        if (what == 2) w.at[1] += 2 * by;
+        if (what == 3) w.up[0] += by, w.up[1] += 2 * by;
+        const Diagnosis d = viewer.diagnosed("");
+        ++pictures;
+        if (d.verdict != Marking::Mistake && d.verdict != Marking::OneOf) continue;
+        ++named;
+        misnamed += looks.scene + ' ' + std::to_string(what) + ' ' + std::to_string(by) + ' ' +
+                    std::string{d.found[0].first->key} + '\n';
+      }
+  EXPECT_EQ(named, 0) << pictures << '\n' << misnamed;
+}
+
+// Where the shades are wrong in a way that no list has, the outlines tell the view alone.
+TEST(View, IsToldWhateverTheShades) {
+  Viewer viewer{kLooks[0]};
+  for (const std::string key :
+       {"flip-y", "aspect-forgotten", "fov-not-halved", "shear-negated", "fov-horizontal"})
+    for (const std::string shades : {"off-minnaert", "off-fog", "off-half-lambert"}) {
+      viewer.program.second = shades;
+      const Diagnosis d = viewer.diagnosed(key);
+      EXPECT_TRUE(std::ranges::any_of(d.found, [&](const Fit& f) { return f.first->key == key; }))
+          << key << ' ' << shades << ' ' << (d.found.empty() ? "" : d.found[0].first->key);
+      EXPECT_EQ(std::ranges::count(d.found, key, [](const Fit& f) { return f.first->key; }), 1) << key;
+    }
+  viewer.program.second = "";  // as with the matrices of OpenGL
+  const Diagnosis d = viewer.diagnosed("w-not-divided", "opengl");
+  ASSERT_EQ(d.verdict, Marking::Mistake);
+  EXPECT_EQ(d.found[0].first->key, "w-not-divided");
+}
+
+// Other conventions that give the same picture are right: with a centred window, too.
+TEST(View, AccusesNoOtherConvention) {
+  for (const Looks& looks : kLooks)
+    for (const bool centred : {false, true}) {
+      Viewer viewer{looks, centred};
+      for (const std::string variant :
+           {"", "by-angles", "other-VUP", "viewport-half-pixel", "triangles-apart"})
+        for (const double front : {0.05, 0.02}) {
+          viewer.world.front = front;
+          const Diagnosis d = viewer.diagnosed("", variant);
+          EXPECT_TRUE(d.verdict == Marking::Right || d.verdict == Marking::Allowed)
+              << looks.scene << ' ' << variant << ' ' << static_cast<int>(d.verdict) << ' '
+              << (d.found.empty() ? "" : d.found[0].first->key);
+        }
+    }
+}
+
+}  // namespace
 
 }  // namespace xnewell::THIS_FILE

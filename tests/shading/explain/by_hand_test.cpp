@@ -1,14 +1,32 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+#include <set>
+#include <string>
 
+#include "depthsort/oracle.h"
+#include "geometry/exact/unit.h"
 #include "shading/color/color_table.h"
 #include "shading/explain/explain.h"
 #include "shading/explain/pixel_history.h"
+#include "shading/explain/scanline_run.h"
+#include "shading/explain/viewing_story.h"
+#include "shading/light/equation.h"
 #include "shading/light/mistake.h"
 #include "shading/picture/picture_cache.h"
+#include "tests/support/extended.h"
+#include "tests/support/model_view.h"
+#include "tests/support/seeds.h"
 
 namespace xnewell::THIS_FILE {
+
+namespace {
+
+/// ---- By hand
 
 // Values computed by hand from the papers that the program follows. The numbers below are theirs, or follow
 // from theirs in a line of arithmetic that stands beside them.
@@ -16,18 +34,17 @@ namespace xnewell::THIS_FILE {
 //   notes: lecture notes on the lighting equation: I = A kA + L kD cos(theta) + L kS [(2N(N.L) - L).V]^p.
 //   tutorial: the demo coders' tutorial: c = ambient + cos x diffuse + (cos x)^n specular.
 
-namespace {
-
-/// A square that faces the viewer, from z = 0. N and V are (0, 0, 1) in its middle.
-Picture squareLitFrom(const glm::dvec3& L, const Illumination& light, TableKind table) {
+/// A square that faces the viewer, from z = 0.
+Mesh card() {
   Mesh mesh;
-  mesh.groupNames = {""};
-  std::vector<int> face;
-  for (const glm::dvec2 d : {glm::dvec2{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-    face.push_back(static_cast<int>(mesh.points.size()));
-    mesh.points.push_back({d, 0});
-  }
-  mesh.addFace(face, 0);
+  mesh.groupNames = {"card"};
+  mesh.points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  mesh.addFace(std::array{0, 1, 2, 3}, 0);
+  return mesh;
+}
+
+/// N and V are (0, 0, 1) in its middle.
+Picture squareLitFrom(const glm::dvec3& L, const Illumination& light, TableKind table) {
   PictureSettings s;
   s.width = s.height = 40;
   s.shading = Shading::Flat;
@@ -38,7 +55,7 @@ Picture squareLitFrom(const glm::dvec3& L, const Illumination& light, TableKind 
   s.light = light;
   s.light.light = L;
   s.table.kind = table;
-  return makePicture(makeScene("square", mesh, UpAxis::Y), s, 8);
+  return makePicture(makeScene("square", card(), UpAxis::Y), s, 8);
 }
 
 struct Chain {
@@ -51,8 +68,6 @@ Chain chainOf(const glm::dvec3& L, const Illumination& light, TableKind table = 
   const Explanation e = PixelExplainer{picture}(face, 20, 20);
   return {e.intensity, e.value[0], picture.image().row(20)[20]};
 }
-
-}  // namespace
 
 // assignment: "set Ia = .5 and Ip = .5. Or possibly Ia = .2 and Ip = .8", "choose Ka and Kd to be near 1.
 // Perhaps .9", "color(I) = round(11 + 239*I)". A polygon that faces the light has N.L = 1, so without a
@@ -128,5 +143,326 @@ TEST(ByHand, TheTutorialsColor) {
   EXPECT_NEAR(chainOf({std::sqrt(3.0), 0, 1}, light).I, 0.4375, 1e-12);
   EXPECT_NEAR(chainOf({std::sqrt(3.0), 0, -1}, light).I, 0.1, 1e-12);
 }
+
+/// ---- The run of a scanline
+
+struct Count {
+  std::set<std::string_view> methods, scenes;
+  int polygons = 0, samples = 0, shown = 0, differing = 0, byRows = 0, textured = 0;
+};
+
+/// Picture k takes the k-th row of each list.
+Picture pictureOf(unsigned k, Count& count) {
+  constexpr std::array kScenes{"teapot", "textured-cube", "pinwheel", "room", "colored-lights"};
+  const char* const name = kScenes[k % kScenes.size()];
+  PictureCache pictures{readScene(name, 3)};
+  PictureSettings s = pictures.scene().settings;
+  s.camera = pictures.scene().camera;
+  s.width = kSanitized ? 30 : 90, s.height = kSanitized ? 24 : 70;
+  s.shading = kShadings[(k + 2 * (k / 5)) % kShadings.size()].id;
+  s.polygons = k % 4 < 2 ? Polygons::Triangles : Polygons::Rows;
+  s.mapping = k % 3 == 0 ? TextureMapping::Affine : TextureMapping::Perspective;
+  s.table.kind = kTables[k % kTables.size()].id;
+  s.interpolated = k % 7 == 3 ? Interpolated::Cell : Interpolated::Intensity;
+  s.colors = ColorPlan::OneHue;
+  count.methods.insert(rowOf(s.shading).name), count.scenes.insert(name);
+  return pictures.make(s, 8);
+}
+
+/// Its value at the sample by Cramer's rule with 64 bits, from values and places at the corners.
+Extended directly(const ScanPart& part, const std::vector<double>& v, int i, int j) {
+  const auto x = [&](int k) { return Extended(part.outline[k].x) - (i + 0.5) * 65536; };
+  const auto y = [&](int k) { return Extended(part.outline[k].y) - (j + 0.5) * 65536; };
+  const auto area = [](Extended ax, Extended ay, Extended bx, Extended by) { return ax * by - bx * ay; };
+  const Extended a = area(x(1), y(1), x(2), y(2)), b = area(x(2), y(2), x(0), y(0)),
+                 c = area(x(0), y(0), x(1), y(1));
+  return (a * v[0] + b * v[1] + c * v[2]) / (a + b + c);
+}
+
+// The run visits each sample of the polygon once, and its last value by steps is the cell that the picture
+// has wherever the polygon shows: for every polygon of twenty pictures of all methods.
+TEST(ScanlineRun, EndsInTheStoredCells) {
+  Count count;
+  for (unsigned k = 0; k < 20; ++k) {
+    SCOPED_TRACE(k);
+    const Picture picture = pictureOf(k, count);
+    const PictureSettings& settings = picture.settings();
+    const SeenRows seen = picture.seen(0, settings.height);
+    std::vector<int> shows(picture.snapped().faces.size(), 0);
+    for (const int face : seen.faces)
+      if (face != kNothing) ++shows[static_cast<std::size_t>(face)];
+    for (int face = 0; face < static_cast<int>(shows.size()); ++face) {
+      const ScanlineRun run{picture, face};
+      std::set<std::pair<int, int>> visited;
+      int shown = 0;
+      for (const ScanSample& sample : run.samples()) {
+        const int j = run.spanOf(sample).row;
+        ASSERT_TRUE(visited.insert({sample.column, j}).second);
+        if (seen.faces[std::size_t(j) * settings.width + sample.column] != face) continue;
+        ++shown;
+        ASSERT_EQ(sample.steppedCell, picture.image().row(j)[sample.column])
+            << face << ": " << sample.column << ", " << j;
+      }
+      ASSERT_EQ(shown, shows[static_cast<std::size_t>(face)]) << face;
+      ++count.polygons, count.samples += run.steps(), count.shown += shown,
+          count.differing += run.differing();
+      count.byRows += run.stepsValues() && run.parts().front().outline.size() > 3;
+      count.textured += run.isTextured();
+    }
+  }
+  EXPECT_EQ(count.methods.size(), kShadings.size());
+  EXPECT_EQ(count.scenes.size(), 5u);
+  if (kSanitized) return;
+  EXPECT_GT(count.polygons, 1'000);
+  EXPECT_GT(count.shown, 30'000);
+  EXPECT_GT(count.byRows, 10);
+  EXPECT_GT(count.textured, 5);
+  EXPECT_LT(count.differing, count.samples / 500) << "24 bits hardly ever change a cell";
+}
+
+// The drift that the run states is that of a second computation with 64 bits. It stays within the bound of
+// affine.h, and with fewer bits it grows.
+TEST(ScanlineRun, DriftsAsASecondComputation) {
+  PictureCache pictures{readScene("teapot", 4)};
+  PictureSettings s = pictures.scene().settings;
+  s.camera = pictures.scene().camera;
+  s.width = 200, s.height = 150, s.shading = Shading::Gouraud;
+  const Picture picture = pictures.make(s, 8);
+  int samples = 0, differing = 0;
+  for (int face = 0; face < static_cast<int>(picture.snapped().faces.size()); face += kSanitized ? 40 : 5) {
+    for (const int bits : {8, 16, 24}) {
+      const ScanlineRun run{picture, face, bits};
+      double largest = 0;
+      for (const ScanSample& sample : run.samples()) {
+        const int j = run.spanOf(sample).row;
+        const auto part = static_cast<std::size_t>(sample.part);
+        const SteppedPlane& plane = run.plane(sample.part);
+        // By additions, from the sample of the first row and column of the part.
+        const ScanSpan& first = run.parts()[part].spans.front();
+        std::int64_t steps = plane.at(first.from, first.row);
+        for (int row = first.row; row < j; ++row) steps += plane.perRow;
+        for (int i = first.from; i < sample.column; ++i) steps += plane.perColumn;
+        for (int i = sample.column; i < first.from; ++i) steps -= plane.perColumn;
+        const double stepped = static_cast<double>(steps) * std::ldexp(1.0, -bits);
+        ASSERT_EQ(stepped, sample.stepped);
+        const Extended direct =
+            directly(run.parts()[part], run.quantities(sample.part).back().atVertex, sample.column, j);
+        ASSERT_NEAR(static_cast<double>(direct), sample.direct, 1e-11);
+        largest = std::max(largest, std::abs(static_cast<double>(stepped - direct)));
+        ++samples;
+      }
+      ASSERT_NEAR(run.mostDrift(), largest, 1e-11);
+      if (bits == 8) differing += run.differing();
+      // The bound of affine.h: half a step a pixel along both sides of the box, and one step.
+      double bound = 1;
+      for (const ScanPart& part : run.parts()) {
+        const auto [left, right] = std::ranges::minmax(part.outline, {}, &glm::ivec3::x);
+        const auto [top, bottom] = std::ranges::minmax(part.outline, {}, &glm::ivec3::y);
+        bound = std::max(bound, 1 + (0.5 + 0x1p-7) * (right.x - left.x + bottom.y - top.y) / 65536.0);
+      }
+      ASSERT_LE(run.mostDrift(), bound * std::ldexp(1.0, -bits) + 1e-11);
+    }
+  }
+  EXPECT_GT(samples, kSanitized ? 500 : 5'000);
+  EXPECT_GT(differing, kSanitized ? 0 : 20) << "eight bits change cells";
+}
+
+/// ---- The story of the viewing transformation
+
+FaceCorner randomCorner(const Mesh& mesh, std::mt19937& rng) {
+  const int face = static_cast<int>(rng() % static_cast<unsigned>(mesh.faceCount()));
+  return {face, static_cast<int>(rng() % mesh.face(face).size())};
+}
+
+glm::dvec3 dividedAt(const ViewingStory& story, ViewStage stage, const glm::dvec3& place) {
+  const glm::dvec4 h = story.stages.at(stage, place);
+  return glm::dvec3{h} / h.w;
+}
+
+/// The card, lit along L.
+Picture cardLitFrom(const glm::dvec3& L, const CameraSettings& camera, double Ia = 0.0, double Ip = 1.0) {
+  PictureSettings s;
+  s.width = s.height = 64;
+  s.shading = Shading::Flat;
+  s.camera = camera;
+  s.light.light = L, s.light.Ia = Ia, s.light.Ip = Ip;
+  s.light.kd = 1.0, s.light.ks = 0.0;
+  return makePicture(makeScene("card", card(), UpAxis::Y), s, 8);
+}
+
+/// The eye is 4 in front of the card and 4 to the left of the middle of its window.
+CameraSettings offAxis() {
+  CameraSettings c;
+  c.vrp = glm::dvec3{0, 0, 0}, c.vpn = glm::dvec3{0, 0, 1}, c.vup = glm::dvec3{0, 1, 0};
+  c.prp = glm::dvec3{-4, 0, 4};
+  c.window = glm::dvec4{-2, 2, -2, 2};
+  c.front = 1.0, c.back = -1.0;
+  return c;
+}
+
+// The stages end in the vertex that the picture has, for every kind of view and every vertex that it shows.
+TEST(ViewingStory, EndsInThePicturesOwnVertex) {
+  int compared = 0;
+  for (const char* name : {"teapot", "cubes", "room", "tori"}) {
+    const Scene scene = readScene(name);
+    PictureCache pictures{scene};
+    const Seeds seeds{40};
+    for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+      SCOPED_TRACE(std::string{name} + ", seed " + std::to_string(seed));
+      const Picture picture = pictures.make(randomView(scene, seed, 320, 240), 8);
+      std::mt19937 rng{seed};
+      for (int k = 0; k < 30; ++k) {
+        const ViewingStory story{picture, randomCorner(scene.mesh, rng)};
+        EXPECT_TRUE(story.agrees) << textOf(story.vertex);
+        compared += story.ofPicture;
+      }
+    }
+  }
+  if (!Seeds{40}.all()) return;
+  EXPECT_GT(compared, 300);
+}
+
+// N.L and I of a stage by a second way: N from where two steps along the plane go, L and V from where small
+// steps along them go, and the textbook's equation with these.
+TEST(ViewingStory, HasTheEquationWithCarriedVectors) {
+  constexpr double kStep = 1e-6;
+  const Scene scene = readScene("teapot");
+  PictureCache pictures{scene};
+  int compared = 0, differ = 0;
+  const Seeds seeds{60};
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SCOPED_TRACE(seed);
+    const Picture picture = pictures.make(randomView(scene, seed, 320, 240), 8);
+    std::mt19937 rng{seed};
+    const ViewingStory story{picture, randomCorner(scene.mesh, rng)};
+    if (story.outside != 0 || !story.ofPicture) continue;
+    const Illumination& light = picture.settings().light;
+    const glm::dvec3 P = story.place, N = story.world().N, L = unit(light.light);
+    const glm::dvec3 V = unit(picture.camera().eye - P);
+    const glm::dvec3 along =
+        unit(glm::cross(N, std::abs(N.x) < 0.5 ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 1, 0}));
+    const glm::dvec3 across = glm::cross(N, along);
+    for (const ViewStageRow& row : kViewStages) {
+      const auto goes = [&](const glm::dvec3& d) {
+        return unit(dividedAt(story, row.id, P + kStep * d) - dividedAt(story, row.id, P - kStep * d));
+      };
+      glm::dvec3 there = unit(glm::cross(goes(along), goes(across)));
+      if (glm::dot(there, goes(N)) < 0.0) there = -there;  // the viewport mirrors
+      const Reflection surface{.ka = light.ka, .kd = light.kd, .ks = light.ks, .n = light.n};
+      const double NdotL = glm::dot(there, goes(L));
+      const double cosine = specularCosine(Form::Textbook, there, goes(L), goes(V));
+      const double I = termsOf(light.Ia, light.Ip, 1, 1, surface, NdotL, cosine).I;
+      EXPECT_NEAR(*story.of(row.id).NdotL, NdotL, 1e-6) << row.name;
+      EXPECT_NEAR(story.of(row.id).I, I, 2e-5) << row.name;
+      ++compared;
+      differ += story.differsInNdotL(row.id);
+    }
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(compared, 100);
+  EXPECT_GT(differ, 50);
+}
+
+// By hand: the card's N is z, and the light is at 45 degrees to the left, so N.L is 0.7071. The eye is as far
+// to the left as before the card: the shear x + z makes the line of sight stand straight. L = (-1, 0, 1) goes
+// to (0, 0, 1), N stays: it is the plane's, which lies in z = 0. N.L becomes 1.
+TEST(ViewingStory, TheShearByHand) {
+  const ViewingStory story{cardLitFrom({-1, 0, 1}, offAxis()), {0, 2}};
+  EXPECT_NEAR(*story.world().NdotL, std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(*story.of(ViewStage::Vrc).NdotL, std::sqrt(0.5), 1e-12);
+  EXPECT_TRUE(story.of(ViewStage::Vrc).keepsAngles);
+  EXPECT_NEAR(*story.of(ViewStage::Sheared).NdotL, 1.0, 1e-12);
+  EXPECT_NEAR(story.of(ViewStage::Sheared).I, 1.0, 1e-12);
+  EXPECT_FALSE(story.of(ViewStage::Sheared).keepsAngles);
+  EXPECT_TRUE(story.differsInNdotL(ViewStage::Sheared));
+  EXPECT_FALSE(story.differsInNdotL(ViewStage::Vrc));
+  EXPECT_EQ(story.cut, 0u);
+  EXPECT_EQ(story.at.size(), 7u);
+}
+
+// A plane that cuts the face is named; a face outside is gone; a vertex outside has no place on the grid.
+TEST(ViewingStory, SaysWhatClippingDoes) {
+  CameraSettings camera = offAxis();
+  camera.vpn = glm::dvec3{1, 0, 1};  // the card now runs through the front plane
+  camera.front = 0.5;
+  const ViewingStory right{cardLitFrom({0, 0, 1}, camera), {0, 1}};  // (1, -1, 0): n is 0.7071
+  EXPECT_EQ(right.cut, 1u);
+  EXPECT_EQ(right.outside, 1u);
+  EXPECT_EQ(clipPlaneName(0), "front");
+  EXPECT_TRUE(right.stages.outside({0, 1e6, 0}) >> 4 & 1u);
+  EXPECT_EQ(clipPlaneName(4), "top");
+  EXPECT_FALSE(right.snapped);
+  EXPECT_FALSE(right.faceGone);
+  const ViewingStory left{cardLitFrom({0, 0, 1}, camera), {0, 0}};
+  EXPECT_EQ(left.cut, 1u);
+  EXPECT_EQ(left.outside, 0u);
+  EXPECT_TRUE(left.snapped && left.ofPicture && left.agrees);
+  camera.front = -0.8, camera.back = -0.9;
+  EXPECT_TRUE(ViewingStory(cardLitFrom({0, 0, 1}, camera), {0, 1}).faceGone);
+}
+
+// Where all light is ambient no N and no L is asked for, and I is the same at every stage.
+TEST(ViewingStory, AmbientLightKnowsNoAngles) {
+  const ViewingStory story{cardLitFrom({0, 0, 1}, offAxis(), 0.5, 0.0), {0, 0}};
+  for (const ViewStageRow& row : kViewStages) {
+    EXPECT_FALSE(story.of(row.id).NdotL) << row.name;
+    EXPECT_EQ(story.of(row.id).I, story.world().I) << row.name;
+    EXPECT_FALSE(story.differsInI(row.id)) << row.name;
+  }
+}
+
+// A method that uses no light has the same story: the light on the vertex is that of flat shading.
+TEST(ViewingStory, EveryMethodHasTheLightOfTheWorld) {
+  PictureCache pictures{readScene("hues")};
+  PictureSettings s = pictures.scene().settings;
+  s.width = s.height = 64;
+  s.colors = ColorPlan::Chosen;
+  for (const ShadingRow& method : kShadings) {
+    SCOPED_TRACE(method.name);
+    s.shading = Shading::Flat;
+    const ViewingStory flat{pictures.make(s), {0, 0}};
+    s.shading = method.id;
+    const ViewingStory story{pictures.make(s), {0, 0}};
+    EXPECT_GT(flat.world().I, 0.0);
+    for (const ViewStageRow& row : kViewStages) {
+      EXPECT_EQ(story.of(row.id).NdotL, flat.of(row.id).NdotL) << row.name;
+      EXPECT_EQ(story.of(row.id).I, flat.of(row.id).I) << row.name;
+    }
+  }
+}
+
+// Corners are named by face and corner, from 1, or by the vertex; what the mesh does not have is refused.
+TEST(ViewingStory, ReadsTheNamesOfVertices) {
+  const Scene scene = readScene("cubes");
+  const Mesh& mesh = scene.mesh;
+  for (int face = 0; face < mesh.faceCount(); ++face)
+    for (int k = 0; k < static_cast<int>(mesh.face(face).size()); ++k) {
+      const FaceCorner vertex{face, k};
+      EXPECT_EQ(cornerOf(mesh, textOf(vertex)), vertex);
+      const std::optional<FaceCorner> byPoint = cornerOf(mesh, std::to_string(mesh.face(face)[k]));
+      ASSERT_TRUE(byPoint);
+      EXPECT_EQ(mesh.face(byPoint->face)[byPoint->corner], mesh.face(face)[k]);
+      EXPECT_LE(byPoint->face, face);
+    }
+  const std::string faces = std::to_string(mesh.faceCount());
+  for (const std::string& wrong :
+       {std::string{""}, std::string{"x"}, std::string{"1."}, std::string{"0.0"}, std::string{"0.9"},
+        faces + ".1", std::string{"-1"}, std::string{"999999"}, std::string{"1.1.1"}})
+    EXPECT_FALSE(cornerOf(mesh, wrong)) << wrong;
+}
+
+// The first vertex is near the middle, on what shows there.
+TEST(ViewingStory, BeginsInTheMiddle) {
+  for (const char* name : {"teapot", "cubes", "tori"}) {
+    const Picture picture = makePicture(readScene(name), PictureSettings{}, 8);
+    const FaceCorner vertex = middleCorner(picture);
+    const ViewingStory story{picture, vertex};
+    const glm::dvec4 at = story.of(ViewStage::Viewport).at;
+    EXPECT_LT(std::abs(at.x - picture.settings().width / 2.0), picture.settings().width / 4.0) << name;
+    EXPECT_LT(std::abs(at.y - picture.settings().height / 2.0), picture.settings().height / 4.0) << name;
+  }
+}
+
+}  // namespace
 
 }  // namespace xnewell::THIS_FILE

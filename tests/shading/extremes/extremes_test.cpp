@@ -39,6 +39,17 @@ PictureSettings fromAbove() {
   return settings;
 }
 
+/// Where the ways begin, facing the camera's look-at point from above.
+Start startOf(const Scene& scene, const PictureSettings& settings, const Camera& camera, double size = 1) {
+  return {.scene = scene,
+          .settings = settings,
+          .camera = camera,
+          .size = size,
+          .pixel = 0.01,
+          .target = camera.lookAt,
+          .facing = {0, 0, 1}};
+}
+
 const Extreme& named(const Extremes& extremes, std::string_view name) {
   return *std::ranges::find(extremes.ways, name, &Extreme::name);
 }
@@ -221,13 +232,7 @@ TEST(Extremes, PatchesGoWithTheirMesh) {
   const Scene scene = readScene("colored-lights");
   ASSERT_GE(scene.patches.size(), 2u);
   const Camera camera = makePicture(scene, scene.settings).camera();
-  const Start start{.scene = scene,
-                    .settings = scene.settings,
-                    .camera = camera,
-                    .size = 1,
-                    .pixel = 0.01,
-                    .target = camera.lookAt,
-                    .facing = {0, 0, 1}};
+  const Start start = startOf(scene, scene.settings, camera);
   int with = 0, without = 0;
   for (const Way& way : extremeWays())
     for (const double value : way.values) {
@@ -260,13 +265,8 @@ TEST(Extremes, IntensitiesAreNumbers) {
   const Rays rays{scene, camera, settings};
   const auto hit = rays.nearest(7.5, 5.5);
   ASSERT_TRUE(hit);
-  const Start start{.scene = scene,
-                    .settings = settings,
-                    .camera = camera,
-                    .size = 1,
-                    .pixel = 0.01,
-                    .target = rays.point(7.5, 5.5, hit->t),
-                    .facing = {0, 0, 1}};
+  Start start = startOf(scene, settings, camera);
+  start.target = rays.point(7.5, 5.5, hit->t);
   int pictures = 0;
   for (const Way& way : extremeWays())
     for (const double value : way.values) {
@@ -297,13 +297,8 @@ TEST(Extremes, SentencesHaveTheScenesNumbers) {
       settings.table.bits = 8;
     }
     const Camera camera = makePicture(scene, settings).camera();
-    const Start start{.scene = scene,
-                      .settings = settings,
-                      .camera = camera,
-                      .size = boxOf(scene.mesh.points).side(),
-                      .pixel = std::ldexp(0.1, -scene.exponent),
-                      .target = camera.lookAt,
-                      .facing = {0, 0, 1}};
+    Start start = startOf(scene, settings, camera, boxOf(scene.mesh.points).side());
+    start.pixel = std::ldexp(0.1, -scene.exponent);
     EXPECT_EQ(std::ranges::find(extremeWays(), name, &Way::name)->why(start, value), why);
   };
   const auto apart = [](double pixels) {
@@ -463,24 +458,13 @@ TEST(Extremes, AreTheSameOnAnyNumberOfThreads) {
 // The eye may be nearer to the scene than the root of the smallest double. A copy in front still has numbers
 // for coordinates, and lies nearer by what the way says.
 TEST(Extremes, ACopyInFrontHasNumbers) {
-  Mesh mesh;
-  mesh.groupNames = {"card"};
-  mesh.points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-  mesh.addFace(std::vector<int>{0, 1, 2, 3}, 0);
-  const Scene scene = makeScene("card", std::move(mesh), UpAxis::Y);
-  PictureSettings settings;
-  settings.width = 4, settings.height = 3;
+  const Scene scene = cards({0});
+  const PictureSettings settings = fromAbove();
   for (const double away : {1.0, 1e-100, 1e-170, 1e-300}) {
     SCOPED_TRACE(away);
     Camera camera;
     camera.eye = {0, 0, away}, camera.lookAt = {0, 0, 0}, camera.up = {0, 1, 0};
-    const Start start{.scene = scene,
-                      .settings = settings,
-                      .camera = camera,
-                      .size = 2,
-                      .pixel = 1,
-                      .target = {0, 0, 0},
-                      .facing = {0, 0, 1}};
+    const Start start = startOf(scene, settings, camera, 2);
     const Way& way = *std::ranges::find(extremeWays(), "a copy in front at", &Way::name);
     const Case copied = way.at(start, 0.25);
     ASSERT_EQ(copied.scene.mesh.points.size(), 8u);

@@ -1,23 +1,30 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <optional>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "shading/color/font.h"
+#include "shading/figure/figure_errors.h"
 #include "shading/figure/make_figure.h"
 #include "shading/figure/write_figure.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene.h"
 #include "tests/support/temporary_folder.h"
 
-namespace xnewell {
-namespace THIS_FILE {
+namespace xnewell::THIS_FILE {
+
+namespace {
+
+/// ---- Figures
 
 constexpr int kWidth = 160, kHeight = 120;
 
@@ -34,25 +41,33 @@ VectorFigure figureOf(const Picture& picture, FigureColors colors, int strip = k
                     picture.palette(CellPlan{picture.settings().table.kind}), colors, {}, strip);
 }
 
-/// How often the loops of a path wind around a point that is in no corner's row.
-int winding(const FigurePath& path, double x, double y) {
+/// How often the loops of a path wind around a point, by a ray to its left.
+template <class T>
+int winding(const FigurePath& path, T x, T y) {
   int turns = 0;
   for (const FigureLoop& loop : path.loops)
     for (std::size_t k = 0; k < loop.size(); ++k) {
-      const glm::ivec2 a = loop[k], b = loop[k + 1 == loop.size() ? 0 : k + 1];
-      if ((a.y < y) == (b.y < y)) continue;
-      const double at = a.x + (y - a.y) * (b.x - a.x) / (b.y - a.y);
-      if (at > x) turns += a.y < b.y ? 1 : -1;
+      const glm::vec<2, T> a{loop[k]}, b{loop[(k + 1) % loop.size()]};
+      if ((a.y <= y) == (b.y <= y)) continue;
+      // The ray meets the side where this is not negative.
+      const T left = ((x - a.x) * (b.y - a.y) - (y - a.y) * (b.x - a.x)) * (b.y > a.y ? 1 : -1);
+      if (left >= 0) turns += b.y > a.y ? 1 : -1;
     }
   return turns;
 }
 
+/// What paths show at a point: none where none lies. Each path is asked.
+template <class T>
+const FigureColor* colorAt(const VectorFigure& figure, T x, T y) {
+  for (auto path = figure.paths.rbegin(); path != figure.paths.rend(); ++path)
+    if (winding(*path, x, y) != 0) return &path->color;
+  return nullptr;
+}
+
 /// What a figure in the colours of the ids shows at a point: 0 where no path lies.
 std::uint32_t idAt(const VectorFigure& figure, double x, double y) {
-  for (auto path = figure.paths.rbegin(); path != figure.paths.rend(); ++path)
-    if (winding(*path, x, y) != 0)
-      return std::uint32_t{path->color[0]} << 16 | std::uint32_t{path->color[1]} << 8 | path->color[2];
-  return 0;
+  const FigureColor* const c = colorAt(figure, x, y);
+  return c ? std::uint32_t{(*c)[0]} << 16 | std::uint32_t{(*c)[1]} << 8 | (*c)[2] : 0;
 }
 
 // The figure shows the picture's face at each sample. Only at the border of a face, where the steps of a
@@ -78,13 +93,6 @@ TEST(VectorFigure, ShowsTheFaceOfEachSample) {
         }
       EXPECT_LT(atBorders, kWidth * kHeight / 500);
     }
-}
-
-/// What paths show at a point: none where none lies.
-const FigureColor* colorAt(const VectorFigure& figure, double x, double y) {
-  for (auto path = figure.paths.rbegin(); path != figure.paths.rend(); ++path)
-    if (winding(*path, x, y) != 0) return &path->color;
-  return nullptr;
 }
 
 // Without tolerance a figure has the colour of each sample that is a pixel away from other faces: between the
@@ -294,5 +302,175 @@ TEST(VectorFigure, KnowsItsFormatsByTheEndOfTheName) {
   EXPECT_EQ(figureFormatOf("a.png"), nullptr);
 }
 
-}  // namespace THIS_FILE
-}  // namespace xnewell
+/// ---- Figures that cannot be made
+
+// Random paths, some of whose corners lie at samples and outside of the page, against a test of each sample.
+TEST(FigureErrors, ColorsAtSamplesAreThoseOfTheLastPathAroundThem) {
+  std::mt19937 dice{43};
+  const auto number = [&](int from, int to) { return std::uniform_int_distribution{from, to}(dice); };
+  int shown = 0;
+  for (int round = 0; round < 300; ++round) {
+    VectorFigure figure;
+    figure.width = 12, figure.height = 9;
+    for (int p = number(1, 4); p > 0; --p) {
+      FigurePath path{{static_cast<std::uint8_t>(p), 0, 0}, {}};
+      for (int l = number(1, 3); l > 0; --l) {
+        FigureLoop& loop = path.loops.emplace_back();
+        const bool atSamples = number(0, 2) == 0;
+        for (int k = number(3, 6); k > 0; --k)
+          loop.push_back(atSamples ? glm::ivec2{256 * number(-3, 14) + 128, 256 * number(-3, 11) + 128}
+                                   : glm::ivec2{number(-900, 3900), number(-900, 3200)});
+      }
+      figure.paths.push_back(std::move(path));
+    }
+    const FigureColor ground{9, 9, 9};
+    const std::vector<FigureColor> colors = colorsAtSamples(figure, ground);
+    ASSERT_EQ(colors.size(), 12u * 9u);
+    for (int j = 0; j < 9; ++j)
+      for (int i = 0; i < 12; ++i) {
+        const FigureColor* const last =
+            colorAt(figure, std::int64_t{256 * i + 128}, std::int64_t{256 * j + 128});
+        const FigureColor due = last ? *last : ground;
+        ASSERT_EQ(colors[j * 12 + i], due) << round << ": " << i << "," << j;
+        shown += due != ground;
+      }
+  }
+  EXPECT_GT(shown, 5'000);
+}
+
+// A figure of flat cubes has the picture's colours. If we change the colour of one path, exactly its samples
+// differ, and by as much.
+TEST(FigureErrors, CountsWhatDiffers) {
+  const Picture picture = pictureOf("cubes");
+  const Palette palette = picture.palette(CellPlan{picture.settings().table.kind});
+  VectorFigure figure = makeFigure(picture, figureOrder(picture, Order::Newell), palette);
+  const GroundTruth truth{picture};
+  const Comparison comparison{picture, truth, palette};
+  const FigureErrors right = errorsOf(figure, comparison, palette);
+  EXPECT_GT(right.samples, 4'000);
+  EXPECT_LE(right.differ, 12) << "beside borders";
+  EXPECT_NEAR(right.figure.mean, right.picture.mean, 0.05);
+
+  FigureColor& color = figure.paths.back().color;
+  const std::vector<FigureColor> before = colorsAtSamples(figure, {});
+  const auto painted = std::ranges::count(before, color);
+  ASSERT_GT(painted, 500);
+  color[2] ^= 64;
+  const FigureErrors wrong = errorsOf(figure, comparison, palette);
+  EXPECT_NEAR(static_cast<double>(wrong.differ), static_cast<double>(painted + right.differ), 12.0);
+  EXPECT_GE(wrong.largest, 64);
+  EXPECT_GT(wrong.figure.mean, right.figure.mean + 1);
+  EXPECT_EQ(wrong.picture.mean, right.picture.mean);
+}
+
+/// ---- Smooth shading
+
+VectorFigure smoothFigure(const Picture& picture, const Palette& palette) {
+  return makeFigure(picture, figureOrder(picture, Order::Newell), palette, FigureColors::Shades,
+                    {.tolerance = 0, .samples = {}, .smooth = true});
+}
+
+std::int64_t doubleAreaOf(glm::i64vec2 a, glm::i64vec2 b, glm::i64vec2 c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// The colour of a triangle at a place, by the areas of the three triangles that the place makes with its
+/// sides; nothing outside.
+std::optional<std::array<double, 3>> colorOf(const FigureTriangle& t, std::int64_t x, std::int64_t y) {
+  const glm::i64vec2 at{x, y}, a = t.corners[0], b = t.corners[1], c = t.corners[2];
+  const std::int64_t whole = doubleAreaOf(a, b, c),
+                     of[] = {doubleAreaOf(at, b, c), doubleAreaOf(a, at, c), doubleAreaOf(a, b, at)};
+  std::array<double, 3> color{};
+  for (int k = 0; k < 3; ++k) {
+    if ((of[k] < 0) != (whole < 0) && of[k] != 0) return {};
+    for (int channel = 0; channel < 3; ++channel)
+      color[channel] += static_cast<double>(of[k]) / static_cast<double>(whole) * t.colors[k][channel];
+  }
+  return color;
+}
+
+// At samples away from other faces, the last triangle has the picture's colour within what the figure says,
+// and colorsAtSamples() finds the same.
+TEST(SmoothFigure, HasTheShadeOfEachSample) {
+  for (const char* name : {"tori", "coarse-teapot"}) {
+    SCOPED_TRACE(name);
+    const Picture picture = pictureOf(name, Shading::Gouraud);
+    const Palette palette = picture.palette(CellPlan{picture.settings().table.kind});
+    const ShownSamples samples = shownSamples(picture, palette);
+    const VectorFigure figure = smoothFigure(picture, palette);
+    const std::vector<FigureColor> sampled = colorsAtSamples(figure, {});
+    EXPECT_LE(figure.statistics.off, 2);
+    for (const FigurePath& path : figure.paths)
+      for (const FigureTriangle& t : path.triangles)
+        ASSERT_NE(doubleAreaOf(t.corners[0], t.corners[1], t.corners[2]), 0);
+    int compared = 0;
+    for (int j = 1; j + 1 < kHeight; ++j)
+      for (int i = 1; i + 1 < kWidth; ++i) {
+        const auto faceAt = [&](int x, int y) { return samples.faces[std::size_t(y) * kWidth + x]; };
+        bool inside = faceAt(i, j) >= 0;
+        for (int n = 0; n < 9; ++n) inside = inside && faceAt(i + n % 3 - 1, j + n / 3 - 1) == faceAt(i, j);
+        if (!inside) continue;
+        std::optional<std::array<double, 3>> last;
+        for (const FigurePath& path : figure.paths)
+          for (const FigureTriangle& triangle : path.triangles)
+            if (const auto color = colorOf(triangle, i * kFigureSteps + 128, j * kFigureSteps + 128))
+              last = color;
+        ASSERT_TRUE(last) << i << ' ' << j;
+        ++compared;
+        const std::size_t at = std::size_t(j) * kWidth + i;
+        for (int c = 0; c < 3; ++c) {
+          EXPECT_NEAR((*last)[c], samples.colors[at][c], figure.statistics.off) << i << ' ' << j;
+          EXPECT_NEAR((*last)[c], sampled[at][c], 0.5 + 1e-6) << i << ' ' << j;
+        }
+      }
+    EXPECT_GT(compared, 500);
+  }
+}
+
+// With eight shades, the borders between them go, and the figure says how far its colours are off.
+TEST(SmoothFigure, SaysThatBandsAreLost) {
+  Scene scene = readScene("tori");
+  scene.settings.shading = Shading::Gouraud, scene.settings.table.shades = 8;
+  const FigureStages stages{scene, scene.settings, 0, true};
+  const int off = stages.figure().statistics.off;
+  EXPECT_GE(off, 10);
+  EXPECT_LE(off, 255 / 7 + 1);
+}
+
+// The PDF file holds each list of triangles in 30 bytes a triangle: per corner a flag, two coordinates of
+// three bytes with 2^23 added, and three bytes of colour.
+TEST(SmoothFigure, WritesTriangles) {
+  VectorFigure figure;
+  figure.width = 4, figure.height = 3;
+  const FigureTriangle one{{{{0, 0}, {-256, 700}, {1024, 5}}}, {{{0, 1, 2}, {255, 254, 0}, {7, 8, 128}}}};
+  const FigureTriangle two{{{{1, 1}, {2, 9}, {9, 2}}}, {}};
+  figure.paths = {{{1, 2, 3}, {{{0, 0}, {0, 256}, {256, 256}}}}, {{}, {}, 0, {one, two}}, {{}, {}, 1, {two}}};
+  const std::string pdf = pdfOf(figure);
+  EXPECT_NE(pdf.find("h\nf\n/S0 sh\n/S1 sh\n"), pdf.npos);
+  EXPECT_NE(pdf.find("/Shading<</S0 5 0 R/S1 6 0 R>>"), pdf.npos);
+  const std::size_t object = pdf.find("\n5 0 obj\n"), begin = pdf.find("stream\n", object) + 7;
+  ASSERT_NE(object, pdf.npos);
+  EXPECT_NE(pdf.find("/Decode[-8388608 8388607 -8388608 8388607 0 1 0 1 0 1]/Length 60>>"), pdf.npos);
+  std::size_t at = begin;
+  const auto number = [&](int bytes) {
+    int n = 0;
+    for (; bytes > 0; --bytes) n = n << 8 | static_cast<unsigned char>(pdf[at++]);
+    return n;
+  };
+  for (const FigureTriangle& t : {one, two})
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_EQ(number(1), 0);
+      EXPECT_EQ(number(3) - (1 << 23), t.corners[k].x);
+      EXPECT_EQ(number(3) - (1 << 23), t.corners[k].y);
+      for (const int level : t.colors[k]) EXPECT_EQ(number(1), level);
+    }
+  EXPECT_EQ(pdf.substr(at, 11), "\nendstream\n");
+  const std::size_t table = std::stoul(pdf.substr(pdf.find("startxref\n") + 10));
+  for (int n = 1; n <= 6; ++n)
+    EXPECT_TRUE(pdf.substr(std::stoul(pdf.substr(table + 9 + 20 * std::size_t(n), 10)))
+                    .starts_with(std::to_string(n) + " 0 obj\n"));
+}
+
+}  // namespace
+
+}  // namespace xnewell::THIS_FILE

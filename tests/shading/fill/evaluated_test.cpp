@@ -1,18 +1,39 @@
-#include "shading/fill/evaluated.h"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <random>
+#include <cstdlib>
 #include <type_traits>
 
 #include "geometry/model/solids.h"
+#include "geometry/view/project.h"
 #include "geometry/view/scanline.h"
+#include "shading/fill/affine.h"
 #include "shading/fill/evaluate_pixels.h"
+#include "shading/fill/evaluated.h"
 #include "tests/support/illuminate.h"
 #include "tests/support/random_triangles.h"
 
 namespace xnewell::THIS_FILE {
+
+namespace {
+
+/// ---- Affine values
+
+using Triangle = std::array<glm::ivec3, 3>;
+// A face without area has no plane; it has the mean of its values, and so has a sliver that would be too
+// steep.
+TEST(Affine, IsFlatWithoutAnArea) {
+  const Triangle line{glm::ivec3{0, 0, 0}, {kGrid, kGrid, 0}, {3 * kGrid, 3 * kGrid, 0}};
+  EXPECT_EQ(affineOver(line.data(), {1, 2, 6}), (AffineValue{3u << 24, 0, 0}));
+  const Triangle sliver{glm::ivec3{0, 0, 0}, {100 * kGrid, kGrid, 0}, {200 * kGrid, 2 * kGrid + 1, 0}};
+  EXPECT_EQ(affineOver(sliver.data(), {100, 1, 250}), (AffineValue{117u << 24, 0, 0}));
+  const Triangle point{};
+  EXPECT_EQ(affineOver(point.data(), {1, 2, 6}), (AffineValue{3u << 24, 0, 0}));
+}
+
+/// ---- Terms and normals at pixels
 
 // The pixels' single precision against the same evaluation in double: planes, normal and cosine are off by
 // less than 2^-19 together, which the power multiplies by n; beyond n = 1,024 pixels have double precision
@@ -246,5 +267,32 @@ TEST(Evaluated, LanesPastTheEndReadNothingElse) {
     }
   }
 }
+
+/// ---- Textures
+
+// A texture that does not repeat ends with its last texels, where coordinates are 1 to the last bit or a
+// rounding beyond; one that repeats begins again there. v = 0 is the lowest row in both.
+TEST(Evaluated, TexturesEndOrRepeat) {
+  RandomTriangles random{2};
+  const auto p = random.outline(50);
+  TermsTriangle e = random.terms(p, true);  // 5 x 3 texels, the k-th is 17 k
+  e.diffuse = {1, 0, 0}, e.rest = {0, 0, 0}, e.q = {1, 0, 0};
+  const auto texel = [&](double u, double v, bool repeats) {
+    e.u = {u, 0, 0}, e.v = {v, 0, 0}, e.repeats = repeats;
+    return std::lrint(e.intensity(e.i0, e.j0) * 255) / 17;
+  };
+  for (const double beyond : {0.0, 1e-15, 1e-9}) {
+    EXPECT_EQ(texel(1 + beyond, 0.5, false), 9);
+    EXPECT_EQ(texel(1 + beyond, 0.5, true), 5);
+    EXPECT_EQ(texel(0.5, 1 + beyond, false), 2);
+    EXPECT_EQ(texel(0.5, 1 + beyond, true), 12);
+    EXPECT_EQ(texel(0 - beyond, 0.5, false), 5);
+    EXPECT_EQ(texel(0.5, 0 - beyond, false), 12);
+  }
+  EXPECT_EQ(texel(0.5, 0, true), 12);
+  EXPECT_EQ(texel(-1.5, 7.5, true), 7);
+}
+
+}  // namespace
 
 }  // namespace xnewell::THIS_FILE

@@ -1,31 +1,43 @@
-#include "shading/fill/fill.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <random>
 #include <vector>
 
+#include "geometry/exact/int128.h"
 #include "geometry/view/project.h"
+#include "geometry/view/scanline.h"
+#include "geometry/view/screen_grid.h"
+#include "shading/course/interpolation.h"
+#include "shading/course/scan_conversion.h"
+#include "shading/course/stepping.h"
+#include "shading/fill/affine.h"
 #include "shading/fill/environment_map.h"
+#include "shading/fill/fill.h"
 #include "shading/fill/gouraud.h"
-#include "tests/support/affine_over.h"
+#include "tests/support/random_triangles.h"
 #include "tests/support/seeds.h"
 
 namespace xnewell::THIS_FILE {
 
 namespace {
 
+/// ---- Triangles and their pixels
+
 using Triangle = std::array<glm::ivec3, 3>;
 
-/// The sample rule by its definition. Samples and vertices are less than 2^14 pixels apart.
-bool owns(const Triangle& p, int i, int j) {
-  for (int k = 0; k < 3; ++k) {
-    const glm::ivec3 &a = p[k], &b = p[(k + 1) % 3];
-    const std::int64_t A = std::int64_t{b.y} - a.y, B = std::int64_t{a.x} - b.x;  // inside is positive
-    const std::int64_t E = A * (i * kGrid + kGrid / 2 - a.x) + B * (j * kGrid + kGrid / 2 - a.y);
-    if (E < 0 || (E == 0 && (A < 0 || (A == 0 && B < 0)))) return false;
+/// The sample rule by its definition: the sign of the edge function at the pixel's centre, if 0 the sign
+/// of its x coefficient, if 0 that of its y coefficient; in 128 bits.
+bool owns(std::span<const glm::ivec3> p, int i, int j) {
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const glm::ivec3 &a = p[k], &b = p[(k + 1) % p.size()];
+    const Int128 A = std::int64_t{b.y} - a.y, B = std::int64_t{a.x} - b.x;  // inside is positive
+    const Int128 x = std::int64_t{i} * kGrid + kGrid / 2 - a.x, y = std::int64_t{j} * kGrid + kGrid / 2 - a.y;
+    const Int128 value = A * x + B * y;
+    const int sign = value != 0 ? (value > 0 ? 1 : -1) : A != 0 ? (A > 0 ? 1 : -1) : (B > 0 ? 1 : -1);
+    if (sign < 0) return false;
   }
   return true;
 }
@@ -134,8 +146,6 @@ void expectShader(Make&& make) {
   EXPECT_GT(checked.clipped, 1000);
 }
 
-}  // namespace
-
 TEST(Fill, GouraudLinearIsTheWholePartOfTheValue) {
   expectShader([](Triangles& random, const Triangle& p) {
     const AffineValue value = affineOver(p.data(), random.values());
@@ -155,16 +165,6 @@ TEST(Fill, GouraudTableIsFoundByTheValue) {
     return std::pair{GouraudTable{value, &cellsOf}, [&begins, value](int i, int j) {
                        const auto begun = [&](std::uint32_t begin) { return begin <= value.at(i, j); };
                        return static_cast<std::uint8_t>(10 + std::ranges::count_if(begins, begun));
-                     }};
-  });
-}
-
-TEST(Fill, EnvironmentMapIsLookedUpByColumnAndRow) {
-  const std::vector<std::uint8_t> map = randomTable(2);
-  expectShader([&](Triangles& random, const Triangle& p) {
-    const AffineValue u = affineOver(p.data(), random.values()), v = affineOver(p.data(), random.values());
-    return std::pair{EnvironmentMap{u, v, map.data()}, [&map, u, v](int i, int j) {
-                       return map[256 * (v.at(i, j) >> 24) + (u.at(i, j) >> 24)];
                      }};
   });
 }
@@ -267,5 +267,212 @@ TEST(Fill, FacesFromExactly128On) {
             ASSERT_EQ(cells[i], facing.at(i, 0) >= kTurn ? 200 : 99) << step << ", " << turn << ", " << i;
         }
 }
+
+/// ---- Scanlines
+
+int checked = 0;
+
+void expectRule(const std::vector<glm::ivec3>& p, int width, int height) {
+  std::vector<int> painted(std::size_t(width) * height, 0);
+  forEachSpan(p.data(), static_cast<int>(p.size()), width, height, [&](int row, int from, int to) {
+    ASSERT_TRUE(row >= 0 && row < height && from >= 0 && from < to && to <= width);
+    for (int i = from; i < to; ++i) ++painted[std::size_t(row) * width + i];
+  });
+  IndexImage image{width, height, 7};
+  fillConvex(image, p.data(), static_cast<int>(p.size()), FlatCell{201});
+  for (int j = 0; j < height; ++j)
+    for (int i = 0; i < width; ++i) {
+      checked += owns(p, i, j);
+      ASSERT_EQ(painted[std::size_t(j) * width + i], owns(p, i, j) ? 1 : 0) << "pixel " << i << ", " << j;
+      ASSERT_EQ(image.row(j)[i], owns(p, i, j) ? 201 : 7) << "filled pixel " << i << ", " << j;
+    }
+}
+
+std::vector<glm::ivec3> counterClockwise(std::vector<glm::ivec3> p) {
+  if (doubleArea(p.data(), static_cast<int>(p.size())) < 0) std::reverse(p.begin(), p.end());
+  return p;
+}
+
+// Every sample of random triangles is decided as the edge functions in 128 bits decide it. Vertices lie
+// anywhere, on pixel centres and on corners, within and far outside the picture; some triangles are needles.
+TEST(Scanline, OwnsExactlyTheSamplesOfTheRule) {
+  checked = 0;
+  for (unsigned seed = 0; seed < 4000; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 rng{seed};
+    const auto uniform = [&](int low, int high) { return std::uniform_int_distribution{low, high}(rng); };
+    const int kind = static_cast<int>(seed % 4);
+    std::vector<glm::ivec3> p(3);
+    for (glm::ivec3& v : p) {
+      if (kind == 0) v = {uniform(0, 20 * kGrid), uniform(0, 16 * kGrid), 0};
+      if (kind == 1) v = {uniform(0, 40) * kGrid / 2, uniform(0, 32) * kGrid / 2, 0};
+      if (kind == 2) v = {uniform(-(1 << 29), 1 << 29), uniform(-(1 << 29), 1 << 29), 0};
+      if (kind == 3) v = {uniform(0, 20 * kGrid), 7 * kGrid + uniform(-3, 3) + kGrid / 2, 0};
+    }
+    if (doubleArea(p.data(), 3) == 0) continue;
+    expectRule(counterClockwise(p), 20, 16);
+  }
+  EXPECT_GT(checked, 100'000);  // the samples were really there
+}
+
+// A span of any length fills its own cells and none next to them, also where stores overlap.
+TEST(Scanline, SpansAreFilledToTheirEnds) {
+  for (int count = 1; count <= 80; ++count) {
+    std::array<std::uint8_t, 100> cells{};
+    fillSpan(cells.data() + 10, count, 201);
+    for (int i = 0; i < 100; ++i) ASSERT_EQ(cells[i], i >= 10 && i < 10 + count ? 201 : 0) << count;
+  }
+}
+
+/// ---- Scan conversion as in the course
+
+using Outline = std::vector<glm::ivec3>;
+
+/// A convex polygon: the corners of a random box that a random line does not cut off, on a coarse or a fine
+/// grid, so that samples on edges occur.
+Outline randomOutline(std::mt19937& rng, int extent, int unit) {
+  const auto coordinate = [&] { return static_cast<int>(rng() % (extent / unit)) * unit; };
+  for (;;) {
+    Outline p;
+    for (int k = 0; k < 3; ++k) p.push_back({coordinate(), coordinate(), 0});
+    const std::int64_t area = doubleArea(p.data(), 3);
+    if (area == 0) continue;
+    if (area < 0) std::swap(p[0], p[1]);
+    // A fourth corner beyond the side from 2 to 0 makes a convex quadrilateral, if all turns are to the left.
+    p.push_back({coordinate(), coordinate(), 0});
+    const auto turns = [&](int a, int b, int c) {
+      const Outline t{p[a], p[b], p[c]};
+      return doubleArea(t.data(), 3) > 0;
+    };
+    if (!turns(1, 2, 3) || !turns(2, 3, 0) || !turns(3, 0, 1)) p.pop_back();
+    return p;
+  }
+}
+
+/// The columns of each row by the definition: the edges and the spans.
+std::vector<std::array<int, 3>> byCourse(const Outline& p, int width, int height) {
+  std::vector<std::array<int, 3>> rows;
+  for (const ScanSpan& span : spansOf(edgesOf(p))) {
+    const int from = std::max(0, span.from), to = std::min(width, span.to);
+    if (span.row >= 0 && span.row < height && from < to) rows.push_back({span.row, from, to});
+  }
+  return rows;
+}
+
+std::vector<std::array<int, 3>> byFiller(const Outline& p, int width, int height) {
+  std::vector<std::array<int, 3>> rows;
+  forEachSpan(p.data(), static_cast<int>(p.size()), width, height, [&](int row, int from, int to) {
+    rows.push_back({row, from, to});
+  });
+  return rows;
+}
+
+// The filler owns the samples that the edges, one by one, say: for large and small polygons, for corners on
+// samples and far outside the picture.
+TEST(ScanConversion, IsWhatTheFillerDoes) {
+  std::mt19937 rng{1};
+  int corners = 0, samples = 0;
+  for (const auto& [pixels, unit] : {std::pair{40, 1}, {12, kGrid / 2}, {8192, 1}, {300, kGrid / 4}})
+    for (int k = 0; k < (pixels > 1000 ? 20 : 2000); ++k) {
+      Outline p = randomOutline(rng, pixels * kGrid, unit);
+      for (glm::ivec3& v : p) v.x -= kGrid * (pixels / 4), v.y -= kGrid * (pixels / 4);
+      const auto rows = byFiller(p, pixels / 2, pixels / 2);
+      ASSERT_EQ(byCourse(p, pixels / 2, pixels / 2), rows);
+      corners += static_cast<int>(p.size());
+      for (const auto& [row, from, to] : rows) samples += to - from;
+    }
+  EXPECT_GT(corners, 3 * 6'000 + 1'000) << "some have four corners";
+  EXPECT_GT(samples, 1'000'000);
+}
+
+// A triangle of the book, by hand. Its corners are (1, 1), (1, 5) and (5, 1) in pixels. The long side passes
+// through no sample; row j has the samples 1 to 4 - j.
+TEST(ScanConversion, OfATriangleByHand) {
+  const Outline p{{kGrid, kGrid, 0}, {kGrid, 5 * kGrid, 0}, {5 * kGrid, kGrid, 0}};
+  ASSERT_GT(doubleArea(p.data(), 3), 0);
+  const std::vector<ScanEdge> edges = edgesOf(p);
+  ASSERT_EQ(edges.size(), 2u) << "the top side is horizontal";
+  EXPECT_TRUE(edges[0].left);
+  EXPECT_EQ(edges[0].step(), 0.0);
+  EXPECT_EQ(edges[1].step(), -1.0);
+  EXPECT_EQ(edges[1].x(1), 4.5);
+  const std::vector<ScanSpan> spans = spansOf(edges);
+  ASSERT_EQ(spans.size(), 4u);
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_EQ(spans[k].row, k + 1);
+    EXPECT_EQ(spans[k].from, 1);
+    EXPECT_EQ(spans[k].to, 4 - k) << "the sample on the right side is outside";
+  }
+}
+
+/// ---- Additions from pixel to pixel
+
+// With 24 bits the textbook's increments are the filler's, bit by bit, from slivers to the largest triangles
+// and also where a rounding is a tie.
+TEST(Stepping, IsTheFillersPlane) {
+  RandomTriangles random{11};
+  const int kRounds = kSanitized ? 500 : 4'000;
+  int ties = 0;
+  for (const double size : {0.001, 0.5, 3.0, 40.0, 2000.0, 8000.0})
+    for (int k = 0; k < kRounds; ++k) {
+      auto p = random.outline(size);
+      std::array v{random.uniform(1, 255), random.uniform(1, 255), random.uniform(1, 255)};
+      if (k % 3 == 0) {  // a right angle, sides that are powers of two, and odd differences of values
+        const int side = kGrid << (k % 9);
+        p[1] = p[0] + glm::ivec3{0, side, 0}, p[2] = p[0] + glm::ivec3{side, 0, 0};
+        v[1] = v[0] + (k % 2) * 0x1p-24;
+        ++ties;
+      }
+      if (doubleArea(p.data(), 3) <= 0) continue;
+      const SteppedPlane plane = steppedOver(p, v, 24);
+      const AffineValue fast = affineOver(p.data(), v);
+      ASSERT_EQ(static_cast<std::uint32_t>(plane.c), fast.c) << size << ' ' << k;
+      ASSERT_EQ(static_cast<std::uint32_t>(plane.perColumn), fast.gx) << size << ' ' << k;
+      ASSERT_EQ(static_cast<std::uint32_t>(plane.perRow), fast.gy) << size << ' ' << k;
+    }
+  EXPECT_GT(ties, kRounds);
+}
+
+// By hand, with 8 bits: from 10 to 11 over 3 pixels grows by a third a pixel, which is 85 of 256 steps. After
+// three pixels a whole step is missing.
+TEST(Stepping, DriftsByHand) {
+  constexpr int kAt = kGrid / 2;  // the centre of pixel 0
+  const SteppedPlane plane =
+      steppedOver({{{kAt, kAt, 0}, {kAt, kAt + 3 * kGrid, 0}, {kAt + 3 * kGrid, kAt, 0}}}, {10, 10, 11}, 8);
+  EXPECT_EQ(plane.perColumn, 85);
+  EXPECT_EQ(plane.perRow, 0);
+  EXPECT_EQ(plane.number(plane.at(0, 0)), 10.0);
+  EXPECT_EQ(plane.at(3, 0), 11 * 256 - 1);
+}
+
+/// ---- Interpolation
+
+// The weighted sum is the plane that the fillers evaluate, at any pixel and for any size of triangle.
+TEST(Interpolation, IsTheFillersPlane) {
+  RandomTriangles random{7};
+  for (const double size : {0.5, 3.0, 40.0, 2000.0})
+    for (int k = 0; k < 500; ++k) {
+      const auto p = random.outline(size);
+      const std::array v{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
+      const PixelPlanes planes{p};
+      const PixelPlane plane = planes(v);
+      const int i = (p[0].x + p[1].x + p[2].x) / 3 / kGrid, j = (p[0].y + p[1].y + p[2].y) / 3 / kGrid;
+      const double filled = plane.c + plane.gx * (i - planes.i0()) + plane.gy * (j - planes.j0());
+      const Weights weights = weightsOnScreen(p, i, j);
+      ASSERT_NEAR(weights[0] + weights[1] + weights[2], 1.0, 1e-9 * (1 + std::abs(filled)));
+      ASSERT_NEAR(interpolated(weights, v), filled, 1e-7 * (1 + std::abs(filled)));
+    }
+}
+
+// By hand: half way along a side on the screen, from depth 1 to depth 3, the near end counts three quarters
+// of the world's way: (1/1) : (1/3) = 3 : 1.
+TEST(Interpolation, OfAPlaceInPerspectiveByHand) {
+  const Weights world = weightsInWorld({0.5, 0.5, 0.0}, {1.0 / 1.0, 1.0 / 3.0, 1.0 / 2.0});
+  EXPECT_NEAR(world[0], 0.75, 1e-15);
+  EXPECT_NEAR(world[1], 0.25, 1e-15);
+  EXPECT_EQ(world[2], 0.0);
+}
+
+}  // namespace
 
 }  // namespace xnewell::THIS_FILE

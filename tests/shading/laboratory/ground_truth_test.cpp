@@ -1,16 +1,17 @@
-#include "shading/laboratory/ground_truth.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
 #include <optional>
-#include <tuple>
 
 #include "depthsort/oracle.h"
+#include "shading/color/color_difference.h"
 #include "shading/laboratory/errors.h"
+#include "shading/laboratory/ground_truth.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/divide_anew.h"
 #include "shading/scene/scene_file.h"
@@ -20,6 +21,8 @@
 namespace xnewell::THIS_FILE {
 
 namespace {
+
+/// ---- The ground truth
 
 using Long = double;
 using Vec = glm::dvec3;
@@ -155,8 +158,6 @@ double errorOf(const std::string& name, int divisions, ColorPlan colors, int wid
   return errorsOf(picture, picture.palette(CellPlan{s.table.kind})).afterTable.rootMeanSquare;
 }
 
-}  // namespace
-
 // Rays meet the true ellipsoid, torus and vault, however few polygons the file asks for. The truth has the
 // same intensity at every sample, but for a few at outlines: the fine polygons are up to 0.02 pixels inside
 // of them.
@@ -286,32 +287,252 @@ TEST(GroundTruth, IsKept) {
   EXPECT_EQ(last.of(other).reference().picture().scene().name, "cycle");
 }
 
-// A reference that has forgotten the hidden faces has the same light and the same places.
-TEST(GroundTruth, IsTheSameWithoutHiddenFaces) {
-  for (const char* const name : {"teapot", "decals", "lamp"}) {
-    SCOPED_TRACE(name);
-    const Picture picture = makePicture(readScene(name, 8), small(), 8);
-    const FineScene fine = fineSceneOf(picture.scene());
-    const Reference all = referenceOf(picture, fine);
-    Reference shown = referenceOf(picture, fine);
-    shown.keepShownOnly();
-    for (std::size_t k = 0; k < all.faces().size(); ++k) {
-      ASSERT_EQ(all.I(k), shown.I(k));
-      if (all.faces()[k] == kNothing) continue;
-      ASSERT_EQ(all.place(k).at, shown.place(k).at);
-      ASSERT_EQ(all.place(k).N, shown.place(k).N);
-    }
-    const Palette palette = picture.palette(CellPlan{});
-    const auto worst = [&](const Reference& reference) {
-      std::vector<std::tuple<int, int, int>> places;
-      const Comparison comparison{picture, reference, palette};
-      for (const WorstPlace& p : worstPlaces(comparison, comparison.intensityErrors(TableSide::After)))
-        places.emplace_back(p.x, p.y, p.face);
-      return places;
-    };
-    EXPECT_EQ(worst(all), worst(shown));
-    EXPECT_LE(shown.picture().snapped().faces.size(), all.picture().snapped().faces.size());
+/// ---- Errors
+
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+
+/// Cards that face the viewer of a parallel view 8 units high, in a picture of 80 x 80 pixels: a unit is ten
+/// pixels. The light comes from the viewer, so N.L is 1 on a card at right angles.
+struct Cards {
+  explicit Cards(const std::string& objects, const std::string& materials = "{}")
+      : pictures{
+            parseSceneFile(R"({"up": "y", "materials": )" + materials + R"(, "objects": )" + objects + "}",
+                           "cards", XNEWELL_DATA_DIR)} {
+    settings.width = settings.height = 80;
+    settings.camera.eye = {0, 0, 20};
+    settings.camera.lookAt = glm::dvec3{0};
+    settings.camera.parallel = true;
+    settings.camera.height = 8;
+    settings.light = {.Ia = 0.25, .Ip = 0.5, .ka = 1, .kd = 1, .ks = 0, .n = 5, .light = {0, 0, 1}};
+    settings.table.hue = glm::dvec3{1};
   }
+  const Picture& paint() {
+    pictures.make(settings, CellPlan{settings.table.kind}[Cell::Well]);
+    return pictures.last();
+  }
+  Errors errors() {
+    const Picture& picture = paint();
+    return errorsOf(picture, picture.palette(CellPlan{settings.table.kind}));
+  }
+  PictureCache pictures;
+  PictureSettings settings;
+};
+
+/// One card of 4 x 4 units, 40 x 40 pixels.
+const std::string kCard = R"([{"polygons": [[[-2, -2, 0], [2, -2, 0], [2, 2, 0], [-2, 2, 0]]]}])";
+
+void expectAll(const Spread& spread, double error, std::int64_t count) {
+  EXPECT_NEAR(spread.mean, error, 1e-7);
+  EXPECT_NEAR(spread.rootMeanSquare, error, 1e-7);
+  EXPECT_NEAR(spread.p99, error, 1e-7);
+  EXPECT_NEAR(spread.largest, error, 1e-7);
+  EXPECT_EQ(spread.count, count);
 }
+
+// Mean, root mean square, percentile and maximum of numbers for which they are known.
+TEST(Errors, SpreadOfNumbers) {
+  std::vector<float> hundred(100);
+  std::iota(hundred.begin(), hundred.end(), 1.0F);
+  std::ranges::reverse(hundred);
+  hundred.insert(hundred.begin() + 50, 7, kNone);
+  Spread spread = spreadOf(hundred);
+  EXPECT_EQ(spread.count, 100);
+  EXPECT_EQ(spread.mean, 50.5);
+  EXPECT_DOUBLE_EQ(spread.rootMeanSquare, std::sqrt(338350 / 100.0));
+  EXPECT_EQ(spread.p99, 99);
+  EXPECT_EQ(spread.largest, 100);
+  hundred.push_back(1000);  // of 101 numbers 99 % are 99.99, so 100 of them must not exceed it
+  EXPECT_EQ(spreadOf(hundred).p99, 100);
+  std::vector<float> sixty(60);  // 99 % are 59.4: the largest is one of them
+  std::iota(sixty.begin(), sixty.end(), 1.0F);
+  EXPECT_EQ(spreadOf(sixty).p99, 60);
+  expectAll(spreadOf(std::vector{0.5F}), 0.5, 1);
+  expectAll(spreadOf(std::vector{kNone, kNone}), 0, 0);
+}
+
+// The worst samples are the largest errors, at least eight pixels from each other.
+TEST(Errors, WorstSamplesAreApart) {
+  constexpr int kWide = 40;
+  std::vector<float> errors(kWide * 30, kNone);
+  const auto at = [&](int x, int y) -> float& { return errors[std::size_t(y) * kWide + x]; };
+  for (int y = 10; y < 20; ++y)
+    for (int x = 0; x < kWide; ++x) at(x, y) = 0;
+  at(5, 12) = 3, at(12, 12) = 2.5F, at(13, 12) = 2, at(5, 19) = 1, at(5, 20) = 0.5F;
+  EXPECT_EQ(worstSamples(errors, kWide),
+            (std::vector<std::size_t>{12 * kWide + 5, 12 * kWide + 13, 20 * kWide + 5}));
+  std::ranges::fill(errors, 1.0F);
+  EXPECT_EQ(worstSamples(errors, kWide).size(), std::size_t{kMostWorstPlaces});
+  EXPECT_EQ(worstSamples(errors, kWide).front(), 0u);
+}
+
+// A card has intensity Ia + Ip = 0.75 everywhere. Flat shading knows it, and 5 shades have it. Of 3 shades
+// the nearest is off by 1/4. At full intensity, and as a back that is not painted, the error is known too.
+TEST(Errors, OfOneCard) {
+  Cards card{kCard};
+  card.settings.table.shades = 5;
+  Errors e = card.errors();
+  expectAll(e.beforeTable, 0, 1600);
+  expectAll(e.afterTable, 0, 1600);
+  EXPECT_EQ(e.samples, 1600);
+  EXPECT_EQ(e.wrongFaces, 0);
+  EXPECT_TRUE(e.worst.empty());
+  EXPECT_FALSE(e.patches || e.blocks);
+
+  card.settings.table.shades = 3;
+  e = card.errors();
+  expectAll(e.beforeTable, 0, 1600);
+  expectAll(e.afterTable, 0.25, 1600);
+  ASSERT_FALSE(e.worst.empty());
+  EXPECT_EQ(e.worst.front().x, 20);
+  EXPECT_EQ(e.worst.front().y, 20);
+  EXPECT_EQ(e.worst.front().face, 0);
+  EXPECT_EQ(e.worst.front().shownFace, 0);
+  EXPECT_EQ(e.worst.front().due, glm::dvec3{0.75});
+  EXPECT_EQ(e.worst.front().shown, glm::dvec3{1.0});
+  EXPECT_EQ(e.worst.front().error, 0.25);
+  // The linear table stores 240/255 for full intensity.
+  const auto gray = [](double v) {
+    const auto c = static_cast<std::uint16_t>(std::floor(65535 * v + 0.5));
+    return labFromSrgb(Rgb16{c, c, c});
+  };
+  expectAll(e.color, static_cast<float>(ciede2000(gray(0.75), gray(240.0 / 255))), 1600);
+  card.settings.table.hue = {1, 0.5, 0};  // the hue belongs to the model: the reference has it too
+  const auto orange = [](double v) {
+    const auto c = [&](double share) {
+      return static_cast<std::uint16_t>(std::floor(65535 * v * share + 0.5));
+    };
+    return labFromSrgb(Rgb16{c(1), c(0.5), 0});
+  };
+  EXPECT_NEAR(card.errors().color.mean, ciede2000(orange(0.75), orange(240.0 / 255)), 0.01);
+
+  card.settings.shading = Shading::Full;
+  expectAll(card.errors().beforeTable, 0.25, 1600);
+}
+
+// Where two cards overlap by 10 x 20 pixels, the wrong order shows 200 samples of the wrong one. Where backs
+// are not painted, all samples of a card show nothing.
+TEST(Errors, CountWrongFaces) {
+  Cards cards{R"([{"polygons": [[[-2, -2, 1], [0, -2, 1], [0, 2, 1], [-2, 2, 1]],
+                                [[-1, 0, 0], [-1, 2, 0], [3, 2, 0], [3, 0, 0]]]}])"};
+  EXPECT_EQ(cards.errors().wrongFaces, 0);
+  cards.settings.order = Order::Unsorted;
+  Errors e = cards.errors();
+  EXPECT_EQ(e.wrongFaces, 200);
+  EXPECT_EQ(e.samples, 20 * 40 + 40 * 20 - 200);
+  expectAll(e.beforeTable, 0, e.samples);  // both cards are equally bright
+
+  cards.settings.order = Order::Newell;
+  cards.settings.cull = Cull::Back;  // the second card turns its back
+  e = cards.errors();
+  EXPECT_EQ(e.wrongFaces, 600);
+  EXPECT_EQ(e.samples, 1400);
+  EXPECT_NEAR(e.beforeTable.largest, 0.75, 1e-7);
+  EXPECT_NEAR(e.beforeTable.mean, 0.75 * 600 / 1400, 1e-7);
+  EXPECT_NEAR(e.afterTable.largest, 0.75, 1e-7);
+  ASSERT_FALSE(e.worst.empty());
+  EXPECT_EQ(e.worst.front().face, 1);
+  EXPECT_EQ(e.worst.front().shownFace, kNothing);
+  EXPECT_EQ(e.worst.front().shown, glm::dvec3{0.0});
+}
+
+// A lamp above a card: L constant takes N.L = 1 everywhere. The error is 1 - cos of the angle to the lamp.
+TEST(Errors, OfConstantL) {
+  Cards card{kCard};
+  card.settings.light.lightPosition = glm::dvec3{0, 0, 2};
+  card.settings.shading = Shading::Phong;
+  const auto cosine = [](int i, int j) {
+    const double x = (i + 0.5 - 40) / 10, y = (j + 0.5 - 40) / 10;
+    return 2 / std::sqrt(x * x + y * y + 4);
+  };
+  EXPECT_LT(card.errors().beforeTable.largest, 1e-12);
+  card.settings.light.constantL = true;
+  const Errors e = card.errors();
+  double sum = 0, squares = 0, largest = 0;
+  for (int j = 20; j < 60; ++j)
+    for (int i = 20; i < 60; ++i) {
+      const double error = 0.5 * (1 - cosine(i, j));
+      sum += error, squares += error * error, largest = std::max(largest, error);
+    }
+  EXPECT_NEAR(e.beforeTable.mean, sum / 1600, 1e-7);
+  EXPECT_NEAR(e.beforeTable.rootMeanSquare, std::sqrt(squares / 1600), 1e-7);
+  EXPECT_NEAR(e.beforeTable.largest, largest, 1e-7);
+  EXPECT_GT(largest, 0.19);
+  ASSERT_FALSE(e.worst.empty());
+  EXPECT_EQ(e.worst.front().x, 20);
+  EXPECT_EQ(e.worst.front().y, 20);
+}
+
+// In a ramp of one hue, a white highlight is as red as the surface: green and blue lack ks Ip.
+TEST(Errors, OfHuesHaveThreeChannels) {
+  Cards card{R"([{"material": "red", "polygons": [[[-2, -2, 0], [2, -2, 0], [2, 2, 0], [-2, 2, 0]]]}])",
+             R"({"red": {"color": [1, 0, 0]}})"};
+  card.settings.light = {.Ia = 0, .Ip = 1, .ka = 0, .kd = 0.5, .ks = 0.25, .n = 0, .light = {0, 0, 1}};
+  card.settings.colors = ColorPlan::Hues;
+  const Errors e = card.errors();
+  expectAll(e.beforeTable, 0.25, 1600);
+  EXPECT_EQ(e.worst.front().due, (glm::dvec3{0.75, 0.25, 0.25}));
+}
+
+// The error of a block is that of its mean, and only whole blocks count. Dithering is made for it.
+TEST(Errors, OfBlocks) {
+  Cards card{kCard};
+  card.settings.colors = ColorPlan::Cube;
+  card.settings.light.Ip = 0.55;
+  card.settings.dither = true;
+  const Errors e = card.errors();
+  ASSERT_TRUE(e.blocks);
+  EXPECT_EQ(e.blocks->count, 16);  // the card covers pixels 20 to 59: blocks 3 to 6 of ten
+  const Picture& picture = card.paint();
+  const Palette palette = picture.palette(CellPlan{});
+  double worst = 0;
+  for (int by = 3; by < 7; ++by)
+    for (int bx = 3; bx < 7; ++bx) {
+      glm::dvec3 mean{0.0};
+      for (int k = 0; k < 64; ++k) {
+        const Rgb16& c = palette[picture.image().pixels[std::size_t(8 * by + k / 8) * 80 + 8 * bx + k % 8]];
+        mean += glm::dvec3{c.r, c.g, c.b} / (64 * 65535.0);
+      }
+      for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(mean[c] - 0.8));
+    }
+  EXPECT_NEAR(e.blocks->largest, worst, 1e-6);
+  EXPECT_LT(e.blocks->largest, 0.01);
+  EXPECT_GT(e.afterTable.rootMeanSquare, 0.03);
+  card.settings.dither = false;
+  EXPECT_FALSE(card.errors().blocks);
+}
+
+// The vault z = 3 c u (1 - u) as one flat polygon. Its top is 3c/4 above the middle, and elsewhere the
+// nearest point is found by trying many.
+TEST(Errors, DistanceToAPatch) {
+  constexpr double c = 0.4;
+  std::vector<BezierPatch> patches(1);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      patches[0].p[4 * i + j] = {4 * i / 3.0 - 2, 4 * j / 3.0 - 2, i == 1 || i == 2 ? c : 0.0};
+  Cards card{kCard};
+  Scene scene = makeScene("vault", tessellate(patches, 1), UpAxis::Y, 1);
+  scene.patches.push_back({0, patches, 1});
+  card.pictures = PictureCache{std::move(scene)};
+  const Errors e = card.errors();
+  ASSERT_TRUE(e.patches);
+  EXPECT_EQ(e.patches->samples, 1600);
+  double sum = 0, largest = 0;
+  for (int i = 0; i < 40; ++i) {
+    const double x = (i + 0.5) / 10 - 2;
+    double nearest = 1;
+    for (int k = 0; k <= 40'000; ++k) {
+      const double u = k / 40'000.0;
+      nearest = std::min(nearest, std::hypot(4 * u - 2 - x, 3 * c * u * (1 - u)));
+    }
+    sum += nearest, largest = std::max(largest, nearest);
+  }
+  EXPECT_NEAR(e.patches->mean, sum / 40, 1e-7);
+  EXPECT_NEAR(e.patches->largest, largest, 1e-7);
+  EXPECT_NEAR(e.patches->largest, 0.75 * c, 0.001);
+  EXPECT_NEAR(e.patches->meanPixels, 10 * e.patches->mean, 1e-9);
+  EXPECT_NEAR(e.patches->largestPixels, 10 * e.patches->largest, 1e-9);
+}
+
+}  // namespace
 
 }  // namespace xnewell::THIS_FILE

@@ -5,18 +5,23 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <map>
-#include <numeric>
 
 #include "geometry/files/text_file.h"
 #include "geometry/model/vertex_normals.h"
+#include "shading/color/png.h"
+#include "shading/laboratory/errors.h"
 #include "shading/picture/picture_cache.h"
+#include "shading/scene/mesh_textures.h"
 #include "shading/scene/scene_file.h"
+#include "tests/support/reader_fixture.h"
 
 namespace xnewell::THIS_FILE {
 
-/// Each built-in scene of shading shows what it says, measured in its pictures.
-
 namespace {
+
+/// ---- The built-in scenes
+
+/// Each built-in scene of shading shows what it says, measured in its pictures.
 
 const std::filesystem::path kScenes = std::filesystem::path{XNEWELL_DATA_DIR} / "scenes";
 constexpr int kWidth = 400, kHeight = 300;
@@ -69,8 +74,6 @@ int differing(const Drawn& a, const Drawn& b, int apart = 0) {
 }
 
 constexpr double kFull = kMaxShades - 1;  ///< of full intensity over none, in a linear table
-
-}  // namespace
 
 // Gouraud shading loses the whole highlight in the middle of one large square, and keeps it if the square is
 // cut into 16 x 16.
@@ -161,19 +164,6 @@ TEST(BuiltInScenes, SaturatedIsClamped) {
     EXPECT_GT(std::ranges::count(drawn.image.pixels, drawn.picture.table().cell(1.0)), drawn.samples() / 50);
     const Drawn dull{"saturated", [&](PictureSettings& s) { s.shading = method, s.light.ks = 0; }};
     EXPECT_EQ(dull.picture.saturated(), 0);
-  }
-}
-
-// If each sample is painted once, clamped samples that are evaluated or looked up are counted in pixels: as
-// many as have intensity 1, except for the few where the fixed point of a fill steps to a neighbour.
-TEST(BuiltInScenes, SaturatedCountsPixels) {
-  for (const Shading method : {Shading::Phong, Shading::Environment}) {
-    Drawn drawn{"saturated", [&](PictureSettings& s) { s.shading = method, s.order = Order::Oracle; }};
-    const auto I = drawn.picture.intensities(drawn.picture.seen(0, kHeight));
-    int full = 0;
-    for (std::size_t k = 0; k < I.size(); ++k) full += drawn.faces[k] != 0 && I[k] >= 1.0;
-    EXPECT_GT(full, drawn.samples() / 50);
-    EXPECT_NEAR(static_cast<double>(drawn.picture.saturated()), full, full / 50.0);
   }
 }
 
@@ -363,5 +353,235 @@ TEST(BuiltInScenes, NoNameIsARole) {
     for (const std::string& name : readScene(scene.name, 2).mesh.groupNames)
       for (const char* const role : {"p", "q", "P", "Q"}) EXPECT_NE(name, role) << scene.name;
 }
+
+/// ---- Textures of meshes
+
+constexpr int kColumns = 4, kRows = 3;
+
+/// Texels of which no two are alike in any channel.
+RgbImage texels() {
+  RgbImage image{kColumns, kRows};
+  for (std::size_t k = 0; k < image.rgb.size(); ++k) image.rgb[k] = static_cast<std::uint8_t>(7 * k + 3);
+  return image;
+}
+
+/// A quadrilateral that leans away from the viewer, with texture coordinates that leave [0, 1], and one
+/// without any beside it.
+constexpr std::string_view kObj = R"(mtllib a.mtl
+v -0.9 -0.5 0.4
+v 0.3 -0.5 -0.4
+v 0.3 0.6 -0.4
+v -0.9 0.6 0.4
+v 0.4 -0.5 -0.4
+v 0.9 -0.5 -0.4
+v 0.9 0.6 -0.4
+v 0.4 0.6 -0.4
+vt -0.25 0
+vt 1.5 0
+vt 1.5 1
+vt -0.25 1
+usemtl pictured
+f 1/1 2/2 3/3 4/4
+f 5 6 7 8
+)";
+
+class MapKd : public testing::Test {
+ protected:
+  MapKd() { writePng(file("t.png"), texels()); }
+  [[nodiscard]] std::string file(const std::string& name) const { return folder_.file(name); }
+  /// The scene of kObj with this library.
+  [[nodiscard]] Scene scene(const std::string& mtl, std::string_view obj = kObj) const {
+    (void)folder_.write("a.mtl", mtl);
+    return readScene(folder_.write("a.obj", obj));
+  }
+  TemporaryFolder folder_;
+};
+
+/// What the test computes by itself: a ray through the centre of a pixel meets the plane of the leaning
+/// quadrilateral, whose z is a function of x.
+struct Ray {
+  static constexpr double kEye = 3, kFov = 50;  // on the z axis; degrees
+  static constexpr int kWidth = 90, kHeight = 70;
+  double x, y;  ///< where it meets the quadrilateral
+
+  Ray(int i, int j) {
+    const double half = std::tan(kFov / 2 * std::acos(-1.0) / 180);
+    const double dx = half * kWidth / kHeight * (2 * (i + 0.5) / kWidth - 1),
+                 dy = half * (1 - 2 * (j + 0.5) / kHeight);
+    // z = 0.4 - 0.8 (x + 0.9) / 1.2 = kEye - t, x = t dx
+    const double slope = -0.8 / 1.2, t = (kEye - 0.4 - slope * 0.9) / (1 + slope * dx);
+    x = t * dx, y = t * dy;
+  }
+  [[nodiscard]] bool meets() const { return x > -0.9 && x < 0.3 && y > -0.5 && y < 0.6; }
+  /// In texels.
+  [[nodiscard]] double u() const { return kColumns * (-0.25 + 1.75 * (x + 0.9) / 1.2); }
+  [[nodiscard]] double v() const { return kRows * (y + 0.5) / 1.1; }
+};
+
+PictureSettings settings(const Scene& scene, Shading shading) {
+  PictureSettings s = scene.settings;
+  s.width = Ray::kWidth, s.height = Ray::kHeight;
+  s.camera.eye = glm::dvec3{0, 0, Ray::kEye}, s.camera.lookAt = glm::dvec3{0}, s.camera.fov = Ray::kFov;
+  s.shading = shading;
+  s.light.ks = 0, s.light.ka = 0.5, s.light.Ia = 0.3, s.light.kd = 0.8, s.light.Ip = 0.7;
+  s.light.light = {0, 0, 1};
+  return s;
+}
+
+// At each pixel the diffuse colour is the texel, or the texel times Kd, as the setting says. The texel is
+// that of the place where the ray meets the face, in perspective and with coordinates that repeat. An .obj
+// file begins with the product, as MTL defines map_Kd.
+TEST_F(MapKd, ShowsTheTexelOfThePlace) {
+  const glm::dvec3 Kd{0.5, 1, 0.25};
+  const RgbImage image = texels();
+  const double NdotL = 1.2 / std::hypot(1.2, 0.8);
+  const Scene leaning = scene("newmtl pictured\nKd 0.5 1 0.25\nmap_Kd t.png\n");
+  EXPECT_EQ(leaning.settings.light.texel, TexelUse::Multiplies);
+  EXPECT_TRUE(leaning.mesh.notes.empty());
+  for (const TexelUse use : {TexelUse::Replaces, TexelUse::Multiplies})
+    for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
+      PictureSettings s = settings(leaning, shading);
+      s.light.texel = use;
+      const Picture picture = makePicture(leaning, s);
+      ASSERT_EQ(picture.shading().lighting().channels, 3);
+      const SeenRows rows = picture.seen(0, s.height);
+      int compared = 0;
+      for (int c = 0; c < 3; ++c) {
+        const std::vector<double> I = picture.intensities(rows, c);
+        for (int j = 0; j < s.height; ++j)
+          for (int i = 0; i < s.width; ++i) {
+            const Ray ray{i, j};
+            const double u = ray.u(), v = ray.v();
+            // not where another texel, or nothing, is within what the snap to the grid may move
+            if (!ray.meets() || std::abs(u - std::round(u)) < 1e-3 || std::abs(v - std::round(v)) < 1e-3)
+              continue;
+            const std::size_t k = std::size_t(j) * s.width + i;
+            if (rows.faces[k] < 0) continue;
+            const int column = static_cast<int>(std::floor(u) + kColumns) % kColumns,
+                      row = kRows - 1 - static_cast<int>(std::floor(v));
+            const double texel = image.rgb[3 * (kColumns * row + column) + c] / 255.0;
+            const double Od = use == TexelUse::Replaces ? texel : texel * Kd[c];
+            ASSERT_NEAR(I[k], 0.3 * 0.5 * Kd[c] + 0.7 * 0.8 * Od * NdotL, 1e-9) << i << ' ' << j << ' ' << c;
+            ++compared;
+          }
+      }
+      EXPECT_GT(compared, 3 * 800);
+    }
+}
+
+// What is painted is the cell of that intensity: to within one cell, because pixels are evaluated in single
+// precision.
+TEST_F(MapKd, PaintsWhatItShows) {
+  RgbImage gray{2, 1};
+  gray.rgb = {40, 40, 40, 220, 220, 220};
+  writePng(file("gray.png"), gray);
+  const Scene leaning = scene("newmtl pictured\nKd 0.5\nmap_Kd gray.png\n");
+  for (const TexelUse use : {TexelUse::Replaces, TexelUse::Multiplies})
+    for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
+      PictureSettings s = settings(leaning, shading);
+      s.light.texel = use;
+      const Picture picture = makePicture(leaning, s, 3);
+      int compared = 0;
+      for (int j = 0; j < s.height; ++j)
+        for (int i = 0; i < s.width; ++i) {
+          const Ray ray{i, j};
+          const double u = ray.u() / kColumns * 2;
+          if (!ray.meets() || std::abs(u - std::round(u)) < 1e-3) continue;
+          const int cell = picture.image().pixels[std::size_t(j) * s.width + i];
+          if (cell == 3) continue;
+          const double texel = (static_cast<int>(std::floor(u) + 2) % 2 == 0 ? 40 : 220) / 255.0;
+          const double Od = use == TexelUse::Replaces ? texel : texel * 0.5;
+          const double I = 0.3 * 0.5 * 0.5 + 0.7 * 0.8 * Od * 1.2 / std::hypot(1.2, 0.8);
+          ASSERT_NEAR(cell, 11 + 239 * I, 0.501);
+          ++compared;
+        }
+      EXPECT_GT(compared, 800);
+    }
+}
+
+// A face without texture coordinates shows Kd, also where other faces of its material show texels. The
+// reference says the same of both.
+TEST_F(MapKd, FacesWithoutCoordinatesShowKd) {
+  const Scene both = scene("newmtl pictured\nKd 0.5 1 0.25\nmap_Kd t.png\n");
+  PictureSettings s = settings(both, Shading::Phong);
+  for (const TexelUse use : {TexelUse::Replaces, TexelUse::Multiplies}) {
+    s.light.texel = use;
+    const Picture picture = makePicture(both, s, 3);
+    const SeenRows rows = picture.seen(0, s.height);
+    const std::vector<double> I = picture.intensities(rows, 0);
+    int plain = 0;
+    for (std::size_t k = 0; k < I.size(); ++k) {
+      if (rows.faces[k] < 0 || picture.snapped().faces[rows.faces[k]].number != 1) continue;
+      ASSERT_NEAR(I[k], 0.3 * 0.5 * 0.5 + 0.7 * 0.8 * 0.5, 1e-9);
+      ++plain;
+    }
+    EXPECT_GT(plain, 200);
+    const Reference reference{picture};
+    const Comparison beside{picture, reference, picture.palette(CellPlan{s.table.kind})};
+    EXPECT_LT(spreadOf(beside.intensityErrors(TableSide::Before)).rootMeanSquare, 0.02);
+  }
+}
+
+// Each file is read once. What cannot be shown has one note with its place, and its surfaces have Kd. A file
+// that is no PNG in spite of its name is an error with the place of map_Kd.
+TEST_F(MapKd, SaysWhatItCannotShow) {
+  std::filesystem::create_directory(file("deep"));
+  writePng(file("deep/my t.PNG"), texels());
+  const std::string obj = std::string{kObj} + "usemtl other\nf 1/1 2/2 3/3\nusemtl third\nf 1 2 3\n";
+  const Scene s = scene(
+      "newmtl pictured\nmap_Kd t.png\nnewmtl other\nmap_Kd -clamp off -blendu on .\\deep\\my t.PNG\n"
+      "newmtl third\nmap_Kd C:\\Users\\me\\t.png\nnewmtl unused\nmap_Kd gone.png\n",
+      obj);
+  EXPECT_TRUE(s.mesh.notes.empty());
+  EXPECT_EQ(s.textures.size(), 2u);
+  const auto textureOf = [&](int face) { return s.mesh.materials[s.mesh.material[face]].texture; };
+  EXPECT_EQ(textureOf(0), 0);
+  EXPECT_EQ(textureOf(1), -1);
+  EXPECT_EQ(textureOf(2), 1);
+  EXPECT_EQ(textureOf(3), -1);
+
+  const auto noted = [&](const std::string& line, std::string_view of) {
+    const Scene shown = scene("newmtl pictured\n" + line + "\n", of);
+    EXPECT_TRUE(shown.textures.empty());
+    EXPECT_EQ(shown.settings.light.texel, TexelUse::Replaces);
+    return shown.mesh.notes.size() == 1 ? shown.mesh.notes[0] : "not one note";
+  };
+  const std::string place = file("a.mtl") + ":2: ";
+  EXPECT_EQ(noted("map_Kd t.jpg", kObj),
+            place + "the texture '" + file("t.jpg") + "' is not a .png file: its surfaces have Kd");
+  EXPECT_EQ(noted("map_Kd gone.png", kObj),
+            place + "the texture '" + file("gone.png") +
+                "' cannot be read (No such file or directory): its surfaces have Kd");
+  EXPECT_EQ(noted("map_Kd t.png", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl pictured\nf 1 2 3\n"),
+            place + "the texture '" + file("t.png") + "' is not shown: its faces have no vt");
+  const auto refused = [&](const std::string& map) {
+    return complaint([&] { return scene("newmtl pictured\nmap_Kd " + map + "\n"); });
+  };
+  (void)folder_.write("bad.png", "no picture");
+  EXPECT_EQ(refused("bad.png").substr(0, place.size()), place);
+  EXPECT_NE(refused("bad.png").find("bad.png"), std::string::npos);
+  EXPECT_EQ(refused(""), place + "map_Kd needs a file");
+}
+
+// In a scene file, an .obj file brings its textures along. A material of the scene takes their place.
+TEST_F(MapKd, InASceneFile) {
+  (void)scene("newmtl pictured\nmap_Kd t.png\n");
+  const auto read = [&](const std::string& more) {
+    return parseSceneFile(R"({"materials": {"m": {"texture": "t.png"}, "plain": {}}, "objects": [
+      {"file": "a.obj", "material": "m"}, {"file": "a.obj")" +
+                              more + "}]}",
+                          "s.json", folder_.path());
+  };
+  const Scene both = read("");
+  ASSERT_EQ(both.textures.size(), 1u);  // one file
+  EXPECT_EQ(both.mesh.materials[both.mesh.material[0]].texture, 0);
+  EXPECT_EQ(both.mesh.materials[both.mesh.material[2]].texture, 0);
+  EXPECT_EQ(both.mesh.materials[both.mesh.material[3]].texture, -1);
+  EXPECT_EQ(both.settings.light.texel, TexelUse::Replaces);
+  const Scene plain = read(R"(, "material": "plain")");
+  EXPECT_EQ(plain.mesh.materials[plain.mesh.material[2]].texture, -1);
+}
+
+}  // namespace
 
 }  // namespace xnewell::THIS_FILE

@@ -1,29 +1,26 @@
-#include "shading/scene/scene_file.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <glm/geometric.hpp>
 
 #include "geometry/files/parse_error.h"
 #include "geometry/model/solids.h"
 #include "shading/color/png.h"
+#include "shading/scene/json_text.h"
+#include "shading/scene/scene_file.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace xnewell::THIS_FILE {
 
-// The objects of a scene file. Its lights, choices and cameras: scene_file_settings_test.cpp.
-
 namespace {
+
+/// ---- The objects of a scene file
 
 glm::dvec3 inFile(const Scene& scene, glm::dvec3 p) {
   for (int k = 0; k < 3; ++k) p[k] = std::ldexp(p[k], scene.exponent);
   return p;
 }
-
-}  // namespace
 
 // Faces are numbered object by object, corners at one place are one vertex, and names become groups.
 TEST(SceneFile, ObjectByObject) {
@@ -41,34 +38,23 @@ TEST(SceneFile, ObjectByObject) {
   EXPECT_EQ(s.mesh.materials[s.mesh.material[130]].diffuse, glm::dvec3(0.5, 0.25, 1));
 }
 
-// An object is scaled first and moved second. The scene is normalised by a power of two, so file coordinates
-// come back exactly.
-TEST(SceneFile, ScaleThenMove) {
-  const Scene s = parsed(withObject(R"({"solid": "cube", "scale": 2, "move": [10, 0, 0]})"));
-  double low = 1e9, high = -1e9;
-  for (const glm::dvec3& p : s.mesh.points) {
-    low = std::min(low, std::ldexp(p.x, s.exponent));
-    high = std::max(high, std::ldexp(p.x, s.exponent));
-  }
-  EXPECT_EQ(low, 8);
-  EXPECT_EQ(high, 12);
+/// Of the first face, in the file's units.
+double roundingIn(const std::string& text) {
+  const Scene s = parsed(text);
+  return std::ldexp(s.mesh.roundingOf(0), s.exponent);
 }
 
 // The rounding of inline polygons is half a unit of the last decimal in their text. No other text matters.
 TEST(SceneFile, RoundingFromTheTextOfPolygons) {
-  const auto rounding = [](const std::string& text) {
-    const Scene s = parsed(text);
-    return std::ldexp(s.mesh.roundingOf(0), s.exponent);
-  };
-  EXPECT_EQ(rounding(withObject(R"({"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]]})")),
+  EXPECT_EQ(roundingIn(withObject(R"({"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]]})")),
             0.5 / 10 / 10);
   EXPECT_EQ(
-      rounding(withObject(
+      roundingIn(withObject(
           R"({"polygons": [[[0.250, 0, 0], [15000, 0, 0], [0, 10000, 0]]], "color": [0.12345, 0, 0]})")),
       0.5 / 10 / 10 / 10);
-  EXPECT_EQ(rounding(withObject(R"({"solid": "cube", "move": [0.12345, 0, 0]})")), 0);
+  EXPECT_EQ(roundingIn(withObject(R"({"solid": "cube", "move": [0.12345, 0, 0]})")), 0);
   // A choice of the same name does not count.
-  EXPECT_EQ(rounding(R"({"shading": {"polygons": "rows", "light": [0.12345, 0, 1]}, "objects": [
+  EXPECT_EQ(roundingIn(R"({"shading": {"polygons": "rows", "light": [0.12345, 0, 1]}, "objects": [
     {"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]]}]})"),
             0.5 / 10 / 10);
 }
@@ -237,15 +223,11 @@ TEST(SceneFile, TexturesOfMaterials) {
 
 // A turn combines the roundings of three axes, and adds the rounding of doubles.
 TEST(SceneFile, RoundingOfTurnedObjects) {
-  const auto rounding = [](const std::string& object) {
-    const Scene s = parsed(withObject(object));
-    return std::ldexp(s.mesh.roundingOf(0), s.exponent);
-  };
   EXPECT_NEAR(
-      rounding(
-          R"({"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]], "scale": [1, 2, 4], "rotate": [1, 2, 3]})"),
+      roundingIn(withObject(
+          R"({"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]], "scale": [1, 2, 4], "rotate": [1, 2, 3]})")),
       4 * std::sqrt(3.0) * 0.005, 1e-10);  // doubles at 15,000 are rounded, too
-  const double ofDoubles = rounding(R"({"solid": "cube", "rotate": [1, 2, 3]})");
+  const double ofDoubles = roundingIn(withObject(R"({"solid": "cube", "rotate": [1, 2, 3]})"));
   EXPECT_GT(ofDoubles, 0x1p-52);
   EXPECT_LT(ofDoubles, 0x1p-48);
 }
@@ -301,5 +283,253 @@ TEST(SceneFile, TruncatedAnywhere) {
   for (std::size_t n = 0; n < whole.size(); ++n)
     EXPECT_THROW((void)parsed(whole.substr(0, n)), ParseError) << n;
 }
+
+/// ---- Its lights, choices and cameras
+
+// Lights of each kind are read, with lengths in the scene's units: a triangle of size 1 is kept at half its
+// size.
+TEST(SceneFile, Lights) {
+  const Scene s = parsed(withTriangle(R"("up": "z", "ambient": [0.1, 0.2, 0.3], "lights": [
+    {"Ip": 0.25, "towards": [0, 0, 5]},
+    {"kind": "point", "color": [0.1, 0, 0.2], "at": [1, 2, 3], "attenuation": "linear", "range": 8},
+    {"kind": "spot", "Ip": 0, "at": [0, 0, 4], "shines": [0, 1, -1], "inner": 5, "outer": 30, "falloff": 3,
+     "attenuation": "textbook", "c": [1, 2, 4]},
+    {"kind": "spot", "Ip": 0, "at": [0, 0, 4], "look_at": [1, 0, 0], "attenuation": "inverse-square"}])"));
+  ASSERT_EQ(s.exponent, 1);
+  EXPECT_EQ(s.light.Ia, glm::dvec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(s.light.unit, 0.5);
+  ASSERT_EQ(s.light.lights.size(), 4u);
+  const std::vector<Light>& l = s.light.lights;
+  EXPECT_EQ(l[0].kind, LightKind::Directional);
+  EXPECT_EQ(l[0].Ip, glm::dvec3{0.25});
+  EXPECT_EQ(l[0].direction, glm::dvec3(0, 0, 5));
+  EXPECT_EQ(l[1].kind, LightKind::Point);
+  EXPECT_EQ(l[1].Ip, glm::dvec3(0.1, 0, 0.2));
+  EXPECT_EQ(l[1].position, glm::dvec3(0.5, 1, 1.5));
+  EXPECT_EQ(l[1].attenuation, Attenuation::Linear);
+  EXPECT_EQ(l[1].range, 4);
+  EXPECT_EQ(l[2].kind, LightKind::Spot);
+  EXPECT_EQ(l[2].direction, glm::dvec3(0, 1, -1));
+  EXPECT_EQ(l[2].inner, 5);
+  EXPECT_EQ(l[2].outer, 30);
+  EXPECT_EQ(l[2].falloff, 3);
+  EXPECT_EQ(l[2].c, glm::dvec3(1, 4, 16));  // so that c2 d and c3 d^2 stay the same
+  EXPECT_EQ(l[3].direction, glm::dvec3(0.5, 0, -2));
+  EXPECT_EQ(l[3].attenuation, Attenuation::InverseSquare);
+}
+
+// Lights have defaults: a light comes from the upper left, a spot looks at the scene's centre, and
+// intensities are shared.
+TEST(SceneFile, LightsThatSayLittle) {
+  const Scene one = parsed(withTriangle(R"("up": "z", "lights": [{}])"));
+  EXPECT_EQ(one.light.lights.at(0), (Light{.Ip = glm::dvec3{0.7}, .direction = defaultLight(UpAxis::Z)}));
+  EXPECT_FALSE(one.light.Ia.has_value());
+  EXPECT_EQ(one.settings.light.Ia, 0.2);
+
+  const Scene shared = parsed(withTriangle(R"("ambient": 0.25, "lights": [{}, {"Ip": [0.5, 0, 0]}, {}])"));
+  EXPECT_EQ(shared.light.lights.at(0).Ip, glm::dvec3{0.125});
+  EXPECT_EQ(shared.light.lights.at(2).Ip, glm::dvec3{0.125});
+
+  const Scene spot = parsed(withTriangle(R"("lights": [{"kind": "spot", "at": [0.5, 0.5, 4], "outer": 9,
+    "attenuation": "textbook"}, {"kind": "spot", "at": [0.5, 0.5, 4], "inner": 40, "attenuation": "linear"}])"));
+  const Light& light = spot.light.lights.at(0);
+  EXPECT_EQ(light.direction, glm::dvec3(0, 0, -2));
+  EXPECT_EQ(light.inner, 9);
+  EXPECT_EQ(light.c, glm::dvec3(1, 0, 0.25));  // 1/2 at the centre
+  EXPECT_EQ(spot.light.lights.at(1).outer, 40);
+  EXPECT_EQ(spot.light.lights.at(1).range, 4);  // 1/2 at the centre
+
+  // The user's light can have at most what the scene's own light leaves.
+  EXPECT_NEAR(parsed(withTriangle(R"("ambient": [0.2, 0.6, 0])")).settings.light.Ip, 0.4, 1e-15);
+  EXPECT_NEAR(parsed(withTriangle(R"("lights": [{"Ip": 0.95}])")).settings.light.Ia, 0.05, 1e-15);
+}
+
+// Ia plus the sum of Ip may be 1 in each channel, added as decimals, but not more.
+TEST(SceneFile, IntensitiesSumToOne) {
+  EXPECT_GT(0.05 + 0.55 + 0.3 + 0.1, 1.0);  // in doubles
+  EXPECT_EQ(complaint(withTriangle(R"("ambient": 0.05, "lights": [{"Ip": 0.55}, {"Ip": 0.3}, {"Ip": 0.1}])")),
+            "no complaint");
+  EXPECT_EQ(
+      complaint(withTriangle(R"("ambient": 0.1, "lights": [{"Ip": [0, 0.9, 0]}, {"Ip": [0.9, 0, 0.9]}])")),
+      "no complaint");
+  EXPECT_EQ(complaint(withTriangle(R"("ambient": [0, 0.1, 0], "lights": [{"Ip": 0.95}])")),
+            "s.json: Ia + the sum of Ip is 1.05 in green; it must not exceed 1");
+  EXPECT_EQ(complaint(R"({"ambient": 0.9, "shading": {"Ip": 0.9}, "objects": [{"solid": "cube"}]})"),
+            "s.json: shading.Ip: Ia + the sum of Ip is 1.8 in red; it must not exceed 1");
+  EXPECT_EQ(complaint(R"({"lights": [{"Ip": 0.8}], "shading": {"Ia": 0.3}, "objects": [{"solid": "cube"}]})"),
+            "s.json: shading.Ia: Ia + the sum of Ip is 1.1 in red; it must not exceed 1");
+}
+
+// A scene can ask for every choice by the name that the command line uses.
+TEST(SceneFile, Choices) {
+  const auto asked = [](const std::string& shading) {
+    return parsed(withTriangle(R"("up": "z", "shading": )" + shading)).settings;
+  };
+  PictureSettings none;
+  none.light.light = defaultLight(UpAxis::Z);
+  EXPECT_EQ(asked("{}"), none);
+  const auto quoted = [](std::string_view name) { return "\"" + std::string{name} + "\"}"; };
+  for (const auto& row : kShadings) EXPECT_EQ(asked(R"({"method": )" + quoted(row.name)).shading, row.id);
+  for (const auto& row : kNormalRules) EXPECT_EQ(asked(R"({"normals": )" + quoted(row.name)).normals, row.id);
+  for (const auto& row : kPolygons) EXPECT_EQ(asked(R"({"polygons": )" + quoted(row.name)).polygons, row.id);
+  for (const auto& row : kForms) EXPECT_EQ(asked(R"({"form": )" + quoted(row.name)).light.form, row.id);
+  for (const auto& row : kEnvironmentForms)
+    EXPECT_EQ(asked(R"({"environment": )" + quoted(row.name)).environment, row.id);
+  for (const auto& row : kTextureMappings)
+    EXPECT_EQ(asked(R"({"mapping": )" + quoted(row.name)).mapping, row.id);
+  for (const auto& row : kOrders) EXPECT_EQ(asked(R"({"order": )" + quoted(row.name)).order, row.id);
+  for (const auto& row : kColorPlans) EXPECT_EQ(asked(R"({"colors": )" + quoted(row.name)).colors, row.id);
+  for (const auto& row : kTables)
+    EXPECT_EQ(asked(R"({"table": {"kind": )" + quoted(row.name) + "}").table.kind, row.id);
+  for (const auto& row : kPicks)
+    EXPECT_EQ(asked(R"({"table": {"pick": )" + quoted(row.name) + "}").table.pick, row.id);
+
+  const PictureSettings s =
+      asked(R"({"crease": 30, "dither": true, "Ia": 0.1, "Ip": 0.8, "ka": 0.3, "kd": 0.4,
+    "ks": 0.5, "n": 7, "light": [1, 2, 3], "table": {"shades": 64, "i0": 0.05, "hue": [0.5, 1, 0], "bits": 8}})");
+  PictureSettings expected;
+  expected.crease = 30;
+  expected.dither = true;
+  expected.light = {.Ia = 0.1, .Ip = 0.8, .ka = 0.3, .kd = 0.4, .ks = 0.5, .n = 7, .light = {1, 2, 3}};
+  expected.table.shades = 64;
+  expected.table.I0 = 0.05;
+  expected.table.hue = {0.5, 1, 0};
+  expected.table.bits = 8;
+  EXPECT_EQ(s, expected);
+  EXPECT_EQ(asked(R"({"Ia": 0.9})").light.Ip, 0.1);  // Ia and Ip push each other
+  EXPECT_EQ(asked(R"({"Ip": 1})").light.Ia, 0);
+}
+
+// Cameras of each kind are read.
+TEST(SceneFile, Cameras) {
+  const auto camera = [](const std::string& text) {
+    return parsed(R"({"camera": )" + text + R"(, "objects": [)" + kTriangle + "]}").camera;
+  };
+  const CameraSettings look =
+      camera(R"({"eye": [1, 2, 3], "look_at": [0, 0, 1], "up": [0, 1, 0], "fov": 40})");
+  EXPECT_EQ(look.eye, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(look.lookAt, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(look.fov, 40);
+  const CameraSettings oblique = camera(R"({"parallel": 5, "oblique": {"kind": "cabinet", "angle": 30}})");
+  EXPECT_TRUE(oblique.parallel);
+  EXPECT_EQ(oblique.height, 5);
+  EXPECT_EQ(oblique.oblique, (Oblique{0.5, 30}));
+  const CameraSettings book = camera(
+      R"({"vrp": [0,0,0], "vpn": [0,0,1], "vup": [0,1,0], "prp": [0,0,9], "window": [-1,1,-2,2], "front": 1, "back": -9})");
+  EXPECT_EQ(book.window, glm::dvec4(-1, 1, -2, 2));
+  EXPECT_EQ(book.back, -9);
+}
+
+// The user's settings replace those of the scene's camera, each by itself.
+TEST(SceneFile, SaidCamerasComeFirst) {
+  CameraSettings scene, said;
+  scene.eye = glm::dvec3{1, 2, 3};
+  scene.lookAt = glm::dvec3{0};
+  scene.fov = 50;
+  EXPECT_EQ(completed(said, scene), scene);
+  said.parallel = true;
+  said.height = 2;
+  EXPECT_EQ(completed(said, scene).eye, scene.eye);
+  EXPECT_TRUE(completed(said, scene).parallel);
+  EXPECT_FALSE(completed(said, scene).fov);
+  said.eye = glm::dvec3{7, 7, 7};
+  EXPECT_EQ(completed(said, scene).eye, said.eye);
+  EXPECT_EQ(completed(said, scene).lookAt, scene.lookAt);
+}
+
+// What the file says beside its eye counts: the planes and the window are those of the file. Nothing is lost
+// if the user gives one of them, too.
+TEST(SceneFile, PlanesAndWindowBesideAnEyeCount) {
+  const Scene scene = parsed(R"({"camera": {"eye": [1, 2, 5], "look_at": [0, 0, 0], "window": [-2, 2, -1, 1],
+                                            "front": 0.5, "back": -3}, "objects": [)" +
+                             kTriangle + "]}");
+  EXPECT_EQ(completed({}, scene.camera), scene.camera);
+  CameraSettings said = completed({}, scene.camera);
+  const auto placed = [&](const CameraSettings& camera) {
+    return placeCamera(camera, scene.mesh.points, scene.up, 2.0);
+  };
+  const ViewSpec view = placed(said).view;
+  EXPECT_EQ(view.windowMin, glm::dvec2(-2, -1));
+  EXPECT_EQ(view.windowMax, glm::dvec2(2, 1));
+  EXPECT_EQ(view.front, 0.5);
+  EXPECT_EQ(view.back, -3);
+  for (const auto part : {&CameraSettings::front, &CameraSettings::back}) {
+    CameraSettings user;
+    user.*part = part == &CameraSettings::front ? 0.75 : -7.0;
+    CameraSettings expected = scene.camera;
+    expected.*part = user.*part;
+    EXPECT_EQ(completed(user, scene.camera), expected);
+    EXPECT_EQ(placed(completed(user, scene.camera)).eye, glm::dvec3(1, 2, 5));
+  }
+  CameraSettings user, expected = scene.camera;
+  user.window = expected.window = glm::dvec4{-1, 1, -1, 1};
+  EXPECT_EQ(completed(user, scene.camera), expected);
+}
+
+// A part has two names in the two notations. Given by one name, it takes the place of the other.
+TEST(SceneFile, OnePartOfACameraHasTwoNames) {
+  using Point = std::optional<glm::dvec3> CameraSettings::*;
+  const glm::dvec3 p{1, 2, 3}, q{3, 2, 9};
+  CameraSettings eye, book;
+  eye.eye = eye.lookAt = eye.up = p;
+  eye.fov = 40;
+  book.vrp = book.vpn = book.vup = book.prp = p;
+  book.window = glm::dvec4{-1, 1, -1, 1};
+  book.front = 1.0;
+  const auto expectInPlaceOf = [](const CameraSettings& scene, const auto& given, auto member,
+                                  const auto&... gone) {
+    CameraSettings user, expected = scene;
+    user.*member = expected.*member = given;
+    ((expected.*gone).reset(), ...);
+    EXPECT_EQ(completed(user, scene), expected);
+  };
+  for (const Point member : {&CameraSettings::vpn, &CameraSettings::prp})
+    expectInPlaceOf(eye, q, member, &CameraSettings::eye);
+  expectInPlaceOf(eye, q, &CameraSettings::vrp, &CameraSettings::lookAt);
+  expectInPlaceOf(eye, q, &CameraSettings::vup, &CameraSettings::up);
+  expectInPlaceOf(eye, *book.window, &CameraSettings::window, &CameraSettings::fov);
+  expectInPlaceOf(book, q, &CameraSettings::eye, &CameraSettings::vpn, &CameraSettings::prp);
+  expectInPlaceOf(book, q, &CameraSettings::lookAt, &CameraSettings::vrp);
+  expectInPlaceOf(book, q, &CameraSettings::up, &CameraSettings::vup);
+  expectInPlaceOf(book, 20.0, &CameraSettings::fov, &CameraSettings::window);
+}
+
+// Every built-in scene can be read, has faces and says what it shows.
+TEST(SceneFile, BuiltInScenes) {
+  const std::vector<BuiltInScene> scenes = builtInScenes();
+  EXPECT_GE(scenes.size(), 15u);
+  for (const BuiltInScene& s : scenes) {
+    SCOPED_TRACE(s.name);
+    EXPECT_TRUE(isBuiltIn(s.name));
+    EXPECT_GT(s.shows.size(), 10u);
+    EXPECT_GT(readScene(s.name).parts.count(), 1);
+  }
+  EXPECT_FALSE(isBuiltIn("../scenes/room"));
+  EXPECT_FALSE(isBuiltIn("room.json"));
+}
+
+/// ---- JSON
+
+// A list of scenes reads one sentence of each file. What stands below in another object does not count, and
+// what stands behind is not read.
+TEST(JsonText, ReadsSomeKeysAlone) {
+  const JsonText one{
+      R"({"other": {"shows": "deep"}, "list": [1, {"shows": 2}], "shows": "a card", "then": nonsense)",
+      "a.json",
+      {"shows"}};
+  EXPECT_EQ(one.root().keys(), std::vector<std::string>{"shows"});
+  EXPECT_EQ(one.root().at("shows").text(), "a card");
+
+  const JsonText two{
+      R"({"title": "t", "steps": [{"title": "s"}], "number": 3})", "a.json", {"number", "title"}};
+  EXPECT_EQ(two.root().at("title").text(), "t");
+  EXPECT_EQ(two.root().at("number").whole(1, 9), 3);
+  EXPECT_EQ(two.root().keys().size(), 2u);
+
+  EXPECT_FALSE((JsonText{R"({"number": 3})", "a.json", {"shows"}}.root().has("shows")));
+  EXPECT_THROW((JsonText{R"({"number": 3, nonsense)", "a.json", {"shows"}}), ParseError);
+}
+
+}  // namespace
 
 }  // namespace xnewell::THIS_FILE

@@ -1,14 +1,24 @@
-#include "shading/scene/settings.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
+#include <random>
 #include <set>
+
+#include "geometry/files/parse_error.h"
+#include "shading/picture/picture_cache.h"
+#include "shading/scene/save_scene.h"
+#include "shading/scene/scene_file.h"
+#include "shading/scene/settings.h"
+#include "tests/support/scene_text.h"
+#include "tests/support/seeds.h"
+#include "tests/support/temporary_folder.h"
 
 namespace xnewell::THIS_FILE {
 
 namespace {
+
+/// ---- Settings
 
 /// Values of a setting that it allows, one of them its default.
 std::vector<Value> someOf(const Setting& setting) {
@@ -29,8 +39,6 @@ std::vector<Value> someOf(const Setting& setting) {
 }
 
 const Setting& row(std::string_view option) { return *settingOf(option); }
-
-}  // namespace
 
 // No two settings share a key in files, an option or a control.
 TEST(SettingRows, AreToldApart) {
@@ -234,5 +242,158 @@ TEST(SettingRows, OverridesAreAppliedAsAList) {
   EXPECT_EQ(with({{&row("--ip"), 1.0}}).Ia, 0.0);
   EXPECT_FALSE(applyOverrides(s, {{&row("--ia"), 0.6}, {&row("--ip"), 0.6}}));
 }
+
+/// ---- Scenes that are saved
+
+/// Settings with every choice drawn at random and with numbers of many digits.
+PictureSettings randomSettings(std::mt19937& rng) {
+  const auto of = [&](const auto& rows) { return rows[rng() % rows.size()].id; };
+  const auto number = [&](double low, double high) {
+    return std::uniform_real_distribution<double>{low, high}(rng);
+  };
+  const auto some = [&] { return rng() % 2 == 0; };
+  PictureSettings s;
+  CameraSettings& c = s.camera;
+  const auto point = [&] { return glm::dvec3{number(-3, 3), number(-3, 3), number(2, 5)}; };
+  if (some())
+    c.eye = point(), c.lookAt = point(), c.up = point();
+  else if (some())
+    c.vrp = point(), c.vpn = point(), c.vup = point(), c.prp = point();
+  if (some()) c.front = number(0, 1), c.back = number(-2, -1);
+  if (some()) c.window = glm::dvec4{-1, number(0, 1), -1, number(0, 1)};
+  const unsigned kind = rng() % 4;
+  if (kind == 0 && !c.window) c.fov = number(1, 179);
+  c.parallel = kind == 1 || kind == 2;
+  if (kind == 1) c.height = number(0.1, 9);
+  if (kind == 3) c.oblique = Oblique{some() ? 0.5 : 1.0, number(0, 90)};
+  Illumination& l = s.light;
+  l.Ia = number(0, 0.5), l.Ip = number(0, 0.5);
+  l.ka = number(0, 1), l.kd = number(0, 1), l.ks = number(0, 1), l.n = static_cast<int>(rng() % 1000);
+  l.light = point();
+  if (some()) l.lightPosition = point();
+  if (l.lightPosition) l.attenuation = of(kAttenuations);
+  if (some() && l.attenuation == Attenuation::Linear) l.range = number(0.1, 10);
+  if (some() && l.attenuation == Attenuation::Textbook)
+    l.c = glm::dvec3{number(0, 1), number(0, 1), number(0, 1)};
+  l.form = of(kForms), l.constantL = some(), l.constantV = some(), l.twoSided = some(),
+  l.texel = of(kTexelUses);
+  s.shading = of(kShadings), s.normals = of(kNormalRules), s.crease = number(0, 180);
+  s.interpolated = of(kInterpolated), s.unnormalized = some();
+  s.polygons = of(kPolygons), s.adapt = some() ? 0.0 : number(0, 1), s.environment = of(kEnvironmentForms);
+  s.mapping = of(kTextureMappings), s.order = of(kOrders), s.cull = some() ? Cull::Back : Cull::Keep;
+  s.inPixels = some(), s.colors = of(kColorPlans), s.dither = some();
+  s.table = {of(kTables), 2 + static_cast<int>(rng() % 239), number(0.001, 0.5), of(kPicks)};
+  s.table.hue = {1, number(0, 1), number(0, 1)};
+  s.table.bits = some() ? 8 : 16;
+  return s;
+}
+
+/// The set-up that a reader of the file gets.
+PictureSettings opened(const Scene& scene) {
+  PictureSettings s = scene.settings;
+  s.camera = scene.camera;
+  return s;
+}
+
+// A saved scene sets up the same scene in the same way, bit for bit, for any settings, also if the scene's
+// units are not the file's. From the scene's own camera it paints what was saved, cell for cell and colour
+// for colour: so for scenes with their own lights, textures, several hues and patches.
+TEST(SaveScene, ReadsBackAsItWas) {
+  std::mt19937 rng{5};
+  const TemporaryFolder folder;
+  const std::string far = folder.write("far.obj", "v 0 0 0\nv 3e9 0 0\nv 0 3e9 1\nf 1 2 3\n");
+  int undivided = 0, shown = 0, pictures = 0;
+  for (const std::string& name :
+       {std::string{"teapot"}, std::string{"cycle"}, far, std::string{"hues"}, std::string{"colored-lights"},
+        std::string{"textured-cube"}, std::string{"spotlight"}, std::string{"lamp"}}) {
+    const Scene scene = readScene(name, 3);
+    PictureCache original{scene};
+    for (int trial = 0; trial < (kSanitized ? 40 : 160); ++trial) {
+      PictureSettings settings = randomSettings(rng);
+      const bool paints = trial % 4 == 0 && name != far;
+      if (paints) {
+        settings.camera = scene.camera;
+        if (scene.light.placed() && !settings.light.lightPosition)  // of the scene's own lights
+          settings.light.attenuation = kAttenuations[rng() % kAttenuations.size()].id;
+        settings.table.shades = std::max(settings.table.shades, 14);  // two for each of seven hues
+      }
+      const std::string text = savedScene(scene, settings, folder.path());
+      SCOPED_TRACE(text);
+      PictureCache again{parseSceneFile(text, "saved.json", folder.path(), 8)};
+      ASSERT_EQ(again.scene().mesh.points, scene.mesh.points);
+      EXPECT_EQ(again.scene().origin.of.substr(again.scene().origin.of.find_last_of('/') + 1),
+                name.substr(name.find_last_of('/') + 1));
+      PictureSettings back = opened(again.scene());
+      ASSERT_EQ(back.camera, settings.camera);
+      ASSERT_EQ(back.light, settings.light);
+      ASSERT_EQ(back.table, settings.table);
+      ASSERT_EQ(back, settings);
+      if (!paints) continue;
+      settings.width = back.width = 64, settings.height = back.height = 48;
+      const Picture saved = original.make(settings, 0), read = again.make(back, 0);
+      ASSERT_EQ(read.image().pixels, saved.image().pixels);
+      ASSERT_EQ(read.palette(CellPlan{}, {}), saved.palette(CellPlan{}, {}));
+      ASSERT_EQ(read.saturated(), saved.saturated());
+      ++pictures, undivided += settings.adapt == 0.0;
+      shown += std::ranges::count(saved.image().pixels, 0) < std::ssize(saved.image().pixels);
+    }
+  }
+  EXPECT_GT(undivided, pictures / 4);
+  EXPECT_GT(shown, pictures * 3 / 4);
+}
+
+// A saved scene says which parts of the scene were left out.
+TEST(SaveScene, KeepsWhatWasDoneToTheScene) {
+  const TemporaryFolder folder;
+  Scene scene = readScene("colored-lights", 2);
+  ASSERT_FALSE(scene.light.lights.empty());
+  strip(scene, "lights");
+  const Scene again = parseSceneFile(savedScene(scene, {}, folder.path()), "s.json", folder.path(), 8);
+  EXPECT_TRUE(again.light.lights.empty());
+  EXPECT_EQ(again.light.Ia, scene.light.Ia);
+  EXPECT_EQ(again.origin.without, std::vector<std::string>{"lights"});
+  EXPECT_EQ(savedScene(again, {}, folder.path()), savedScene(scene, {}, folder.path()));
+}
+
+// A set-up that is opened, changed and saved names the scene, not the set-up. A set-up that names a set-up,
+// even itself, is refused.
+TEST(SaveScene, NamesTheSceneItself) {
+  const TemporaryFolder folder;
+  const std::string first = folder.write("first.json", savedScene(readScene("cycle"), {}, folder.path()));
+  const Scene scene = readScene(first);
+  EXPECT_EQ(scene.origin.of, "cycle");
+  EXPECT_NE(savedScene(scene, {}, folder.path()).find("\"scene\": \"cycle\""), std::string::npos);
+  for (const std::string loop : {"first.json", "loop.json"}) {
+    folder.write("loop.json", R"({"scene": ")" + loop + R"("})");
+    try {
+      (void)readScene((folder.path() / "loop.json").string());
+      FAIL() << loop;
+    } catch (const ParseError& e) {
+      EXPECT_NE(std::string{e.what()}.find("itself a set-up of another scene"), std::string::npos)
+          << e.what();
+    }
+  }
+}
+
+// Next to "scene", a file may hold only choices: keys of a scene's own contents and unknown choices are
+// refused.
+TEST(SaveScene, Refusals) {
+  const auto refused = [](const std::string& text, const std::string& word) {
+    try {
+      (void)parseSceneFile(text, "s.json", ".", 8);
+      ADD_FAILURE() << text;
+    } catch (const std::exception& e) {
+      EXPECT_NE(std::string{e.what()}.find(word), std::string::npos) << e.what();
+    }
+  };
+  refused(R"({"scene": "cycle", "objects": []})", "objects");
+  refused(R"({"scene": "cycle", "without": ["light"]})", "without[0]");
+  refused(R"({"scene": "cycle", "divisions": 0})", "divisions");
+  refused(R"({"scene": "cycle", "texture": "no.png"})", "texture: 'no.png'");
+  refused(R"({"scene": "no-such-scene"})", "no-such-scene");
+  refused(R"({"scene": 3})", "scene");
+}
+
+}  // namespace
 
 }  // namespace xnewell::THIS_FILE

@@ -1,19 +1,23 @@
-#include "depthsort/record/explain.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <set>
 
+#include "depthsort/record/explain.h"
+#include "depthsort/record/landmarks.h"
+#include "depthsort/record/replay.h"
 #include "tests/support/random_scenes.h"
 
 namespace xnewell::THIS_FILE {
 
 namespace {
 
+/// ---- Explanations of decisions
+
 constexpr int kSize = 40;
 
-SortedScene recorded(const SnappedScene& scene, bool textbook) {
+SortedScene recorded(const SnappedScene& scene, bool textbook = true) {
   SortSettings settings{kSize, kSize, textbook};
   settings.record = true;
   return depthSort(scene, settings);
@@ -75,8 +79,6 @@ bool passes(const Explainer& explainer, Test test, int P, int Q) {
   }
   return false;
 }
-
-}  // namespace
 
 // The numbers confirm every test that was made. All tests before the last one fail, and the last one does
 // not. For test 6 the signs over the common area give the verdict.
@@ -239,5 +241,238 @@ TEST(Explain, SentencesNameTheirPolygons) {
   for (const char* test : {"1", "2", "3", "4", "5", "3'", "4'"})
     EXPECT_TRUE(beginnings.contains(std::string{"Test "} + test + ": no")) << test;
 }
+
+/// ---- Landmarks
+
+// The counts, next() and previous() agree with a walk over all events, at every step.
+TEST(Landmarks, AgreeWithAWalk) {
+  std::array<int, kLandmarks.size()> seen{};
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    const SnappedScene scene = randomScene(seed, 30, kSize);
+    const SortedScene sorted = recorded(scene);
+    const Landmarks landmarks{sorted};
+    const int steps = static_cast<int>(sorted.events.size());
+    for (const LandmarkRow& row : kLandmarks) {
+      int count = 0, pairs = 0, last = 0;
+      for (int step = 0; step <= steps; ++step) {
+        const bool is = step > 0 && landmarkOf(sorted.events[step - 1]) == row.id;
+        pairs += step > 0 && sorted.events[step - 1].kind == Event::Kind::Compare;
+        ASSERT_EQ(landmarks.previous(row.id, step), last ? std::optional{last} : std::nullopt);
+        if (is) {
+          ++count;
+          if (step > last + 1) {
+            ASSERT_EQ(landmarks.next(row.id, last), step);
+          }
+          last = step;
+        }
+        ASSERT_EQ(landmarks.count(row.id, step), count);
+        ASSERT_EQ(landmarks.pairs(step), pairs);
+      }
+      ASSERT_EQ(landmarks.next(row.id, last), std::nullopt);
+      seen[static_cast<int>(row.id)] += count;
+    }
+    ASSERT_EQ(landmarks.count(Landmark::Move, steps), sorted.statistics.moves);
+    ASSERT_EQ(landmarks.count(Landmark::Cut, steps), sorted.statistics.splits);
+    ASSERT_EQ(landmarks.pairs(steps), sorted.statistics.pairs());
+  }
+  for (const int count : seen) EXPECT_GT(count, 20);
+}
+
+// The comparison of a step is about its two polygons. For a failed test it is the step itself.
+TEST(Landmarks, TheComparisonIsOfTheSamePair) {
+  int moves = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    const SnappedScene scene = randomScene(seed, 30, kSize);
+    const SortedScene sorted = recorded(scene);
+    for (int step = 1; step <= static_cast<int>(sorted.events.size()); ++step) {
+      const Event& e = sorted.events[step - 1];
+      const Event* const compare = comparisonAt(sorted, step);
+      if (e.kind == Event::Kind::Compare) {
+        ASSERT_EQ(compare, &e);
+      }
+      if (e.kind == Event::Kind::Take || e.kind == Event::Kind::Paint) {
+        ASSERT_EQ(compare, nullptr);
+      }
+      if (e.kind != Event::Kind::Move) continue;
+      ASSERT_NE(compare, nullptr);
+      ASSERT_EQ(compare->P, e.P);
+      ASSERT_EQ(compare->Q, e.Q);
+      ASSERT_EQ(compare->verdict, Verdict::QFirst);
+      ++moves;
+    }
+  }
+  EXPECT_GT(moves, 100);
+}
+
+// For a painted polygon, all tests that settled it since it was taken are counted, and none of another P.
+TEST(Landmarks, CountWhatSettledAPolygon) {
+  int pairs = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    const SortedScene sorted = recorded(randomScene(seed, 30, kSize));
+    for (int step = 1; step <= static_cast<int>(sorted.events.size()); ++step) {
+      const Event& painted = sorted.events[step - 1];
+      if (painted.kind != Event::Kind::Paint) continue;
+      int sum = 0, expected = 0;
+      for (const int count : settledFor(sorted, step)) sum += count;
+      for (int k = step - 1; k-- > 0;) {
+        const Event& e = sorted.events[k];
+        expected += e.kind == Event::Kind::Compare && e.P == painted.P;
+        if (e.kind == Event::Kind::Take && e.P == painted.P) break;
+        if (e.kind == Event::Kind::Move && e.Q == painted.P) break;
+      }
+      ASSERT_EQ(sum, expected);
+      pairs += sum;
+    }
+  }
+  EXPECT_GT(pairs, 500);
+}
+
+/// ---- Replay
+
+constexpr int kAll = 1 << 20;
+
+/// What a step looks like.
+struct Seen {
+  std::vector<int> marked;
+  int painted = 0, splits = 0;
+  std::vector<Replay::Listed> list;
+  bool operator==(const Seen&) const = default;
+};
+
+Seen seenBy(const Replay& replay) {
+  return {replay.marked(), replay.painted(), replay.splits(), replay.list(kAll)};
+}
+
+/// The states of all steps by the plain words of Event::Kind. The stack is a vector, and in the list pieces
+/// replace the polygon that was split.
+std::vector<Seen> literally(const SnappedScene& scene, const SortedScene& sorted) {
+  std::vector<int> stack, list = sorted.list;
+  int painted = 0, splits = 0;
+  std::vector<Seen> all;
+  const auto see = [&] {
+    Seen seen{{stack.rbegin(), stack.rend()}, painted, splits, {}};
+    for (const int id : seen.marked) seen.list.push_back({id, true});
+    for (const int id : list)
+      if (std::ranges::find(stack, id) == stack.end()) seen.list.push_back({id, false});
+    all.push_back(seen);
+  };
+  see();
+  for (const Event& e : sorted.events) {
+    const auto place = std::ranges::find(stack, e.P);
+    switch (e.kind) {
+      case Event::Kind::Take:
+        stack.push_back(e.P);
+        break;
+      case Event::Kind::Move:
+        stack.push_back(e.Q);
+        break;
+      case Event::Kind::Void:
+        stack.erase(place + 1, stack.end());
+        break;
+      case Event::Kind::Split: {
+        stack.erase(place, stack.end());
+        const int piece = static_cast<int>(scene.faces.size()) + 2 * splits++;
+        const auto at = list.erase(std::ranges::find(list, e.P));
+        list.insert(at, {piece, piece + 1});
+        break;
+      }
+      case Event::Kind::Paint:
+        EXPECT_EQ(stack.back(), e.P);
+        stack.pop_back();
+        list.erase(std::ranges::find(list, e.P));
+        ++painted;
+        break;
+      default:
+        break;
+    }
+    see();
+  }
+  return all;
+}
+
+// Every step looks as in the literal replay from the start, whether it is reached forward, back or by a jump
+// from anywhere.
+TEST(Replay, AnyStepIsReachedFromAnyOther) {
+  int farBack = 0, splits = 0, voids = 0, unmarked = 0;
+  for (unsigned seed = 0; seed < 140; ++seed)
+    for (const bool textbook : {false, true}) {
+      SCOPED_TRACE(seed);
+      const SnappedScene scene = randomScene(seed, 2 + seed % 17, kSize);
+      const SortedScene sorted = recorded(scene, textbook);
+      const std::vector<Seen> expected = literally(scene, sorted);
+      Replay replay{scene, sorted};
+      ASSERT_EQ(std::ssize(expected), replay.steps() + 1);
+      const auto check = [&](int step) {
+        replay.goTo(step);
+        EXPECT_EQ(replay.step(), step);
+        EXPECT_EQ(replay.event(), step == 0 ? nullptr : &sorted.events[step - 1]);
+        return seenBy(replay) == expected[step];
+      };
+      for (int step = 0; step <= replay.steps(); ++step) {
+        ASSERT_TRUE(check(step)) << step;
+      }
+      for (int step = replay.steps(); step >= 0; --step) {
+        ASSERT_TRUE(check(step)) << step;
+      }
+      std::mt19937 rng{seed};
+      for (int leap = 0; leap < 100; ++leap) {
+        const int from = replay.step(), to = static_cast<int>(rng() % expected.size());
+        ASSERT_TRUE(check(to)) << from << " to " << to;
+        farBack += from - to > Replay::kCheckpoint;
+      }
+      splits += static_cast<int>(sorted.statistics.splits);
+      voids += static_cast<int>(sorted.statistics.voids);
+      for (std::size_t k = 1; k < sorted.events.size(); ++k)
+        unmarked +=
+            sorted.events[k].kind == Event::Kind::Split && expected[k].marked.front() == sorted.events[k].Q;
+    }
+  EXPECT_GT(farBack, 1000);
+  EXPECT_GT(splits, 1000);
+  EXPECT_GT(voids, 0);
+  EXPECT_GT(unmarked, 100);
+}
+
+// P is always taken from the head of the list, which is sorted by farthest z, in both runs.
+TEST(Replay, TheNextPIsTheFirstOfTheList) {
+  int taken = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE(seed);
+    const SnappedScene scene =
+        randomScene(kSceneKinds[seed % kTriangleKinds].id, seed, 2 + seed / 2 % 17, kSize);
+    const SortedScene sorted = recorded(scene, /*textbook=*/seed % 2 == 0);
+    const auto farthest = [&](int face) {
+      const glm::ivec3* v = &scene.vertices[scene.faces[face].first];
+      return std::min({v[0].z, v[1].z, v[2].z});
+    };
+    EXPECT_TRUE(std::ranges::is_sorted(sorted.list, {}, farthest));
+    Replay replay{scene, sorted};
+    for (int k = 0; k < replay.steps(); ++k) {
+      if (sorted.events[k].kind != Event::Kind::Take) continue;
+      replay.goTo(k);
+      const auto list = replay.list(1);
+      ASSERT_EQ(list.size(), 1u);
+      EXPECT_EQ(list[0], (Replay::Listed{sorted.events[k].P, false}));
+      ++taken;
+    }
+  }
+  EXPECT_GT(taken, 500);
+}
+
+// A run with more events than allowed throws instead of keeping them. A run with exactly as many does not
+// throw, nor does one that is not recorded.
+TEST(Replay, TooManyEventsAreRefused) {
+  const SnappedScene scene = randomScene(0, 12, kSize);
+  const std::size_t count = recorded(scene, true).events.size();
+  SortSettings settings{kSize, kSize, true};
+  settings.mostEvents = count - 1;
+  EXPECT_NO_THROW(static_cast<void>(depthSort(scene, settings)));
+  settings.record = true;
+  EXPECT_THROW(static_cast<void>(depthSort(scene, settings)), TooManyEvents);
+  settings.mostEvents = count;
+  EXPECT_EQ(depthSort(scene, settings).events.size(), count);
+}
+
+}  // namespace
 
 }  // namespace xnewell::THIS_FILE
