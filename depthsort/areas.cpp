@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
-#include "depthsort/pieces.h"
-#include "depthsort/samples.h"
+#include "depthsort/oracle.h"
+#include "depthsort/region.h"
 #include "geometry/view/scene_planes.h"
 
 namespace xnewell {

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "depthsort/oracle.h"
 #include "depthsort/pair_tests.h"
-#include "depthsort/pieces.h"
-#include "depthsort/samples.h"
+#include "depthsort/region.h"
 #include "geometry/exact/give_up.h"
 
 namespace xnewell {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "depthsort/areas.h"
-#include "depthsort/samples.h"
+#include "depthsort/oracle.h"
 #include "geometry/view/scene_planes.h"
 
 namespace xnewell {

@@ -11,7 +11,7 @@
 #include "depthsort/box_grid.h"
 #include "depthsort/free_polygons.h"
 #include "depthsort/order.h"
-#include "depthsort/pieces.h"
+#include "depthsort/region.h"
 #include "geometry/exact/give_up.h"
 
 namespace xnewell {

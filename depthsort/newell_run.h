@@ -5,7 +5,6 @@
 
 #include "depthsort/depth_sort.h"
 #include "depthsort/pair_tests.h"
-#include "depthsort/pieces.h"
 #include "depthsort/region.h"
 
 namespace xnewell {

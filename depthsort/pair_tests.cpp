@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "depthsort/samples.h"
+#include "depthsort/oracle.h"
 #include "geometry/view/scene_planes.h"
 
 namespace xnewell {

@@ -5,7 +5,6 @@
 
 #include "depthsort/box_grid.h"
 #include "depthsort/depth_sort.h"
-#include "depthsort/pieces.h"
 #include "depthsort/region.h"
 
 namespace xnewell {

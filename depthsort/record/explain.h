@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "depthsort/depth_sort.h"
-#include "depthsort/pieces.h"
+#include "depthsort/region.h"
 #include "geometry/model/mesh.h"
 
 namespace xnewell {

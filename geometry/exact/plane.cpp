@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/exact/box.h"
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 
 namespace xnewell {
 

@@ -2,7 +2,6 @@
 
 #include <charconv>
 
-#include "geometry/files/number.h"
 #include "geometry/files/text_file.h"
 
 namespace xnewell {

@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <utility>
 
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 #include "geometry/files/parse_error.h"
 
 namespace xnewell {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "geometry/files/indexed_faces.h"
-#include "geometry/files/number.h"
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
 

@@ -12,8 +12,8 @@
 #include "geometry/exact/box.h"
 #include "geometry/exact/plane.h"
 #include "geometry/exact/scale.h"
+#include "geometry/model/coplanar.h"
 #include "geometry/model/ear_clip.h"
-#include "geometry/model/fit_plane.h"
 
 namespace xnewell {
 

@@ -10,8 +10,8 @@
 #include "geometry/exact/box.h"
 #include "geometry/exact/overlap.h"
 #include "geometry/exact/plane.h"
+#include "geometry/model/coplanar.h"
 #include "geometry/model/divide.h"
-#include "geometry/model/fit_plane.h"
 #include "geometry/model/mesh.h"
 
 namespace xnewell {

@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "geometry/exact/scale.h"
 #include "geometry/exact/trig.h"
-#include "geometry/exact/unit.h"
 
 namespace xnewell {
 

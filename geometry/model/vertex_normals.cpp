@@ -10,7 +10,6 @@
 #include "geometry/exact/plane.h"
 #include "geometry/exact/scale.h"
 #include "geometry/exact/trig.h"
-#include "geometry/exact/unit.h"
 
 namespace xnewell {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "geometry/exact/box.h"
+#include "geometry/exact/scale.h"
 #include "geometry/exact/trig.h"
-#include "geometry/exact/unit.h"
 
 namespace xnewell {
 

@@ -9,7 +9,7 @@
 #include "geometry/model/mesh.h"
 #include "geometry/view/clip.h"
 #include "geometry/view/plane_table.h"
-#include "geometry/view/screen_grid.h"
+#include "geometry/view/screen_plane.h"
 #include "geometry/view/view.h"
 
 namespace xnewell {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "geometry/view/screen_grid.h"
+#include "geometry/view/screen_plane.h"
 
 namespace xnewell {
 

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 
 namespace xnewell {
 

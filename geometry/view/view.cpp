@@ -1,5 +1,5 @@
 #include "geometry/view/view.h"
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "shading/color/color_table.h"
-#include "shading/color/rgb_image.h"
+#include "shading/color/images.h"
 
 namespace xnewell {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/files/visible.h"
+#include "geometry/files/parse_error.h"
 
 namespace xnewell {
 

@@ -5,9 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "shading/color/index_image.h"
-#include "shading/color/palette.h"
-#include "shading/color/rgb_image.h"
+#include "shading/color/color_table.h"
+#include "shading/color/images.h"
 
 namespace xnewell {
 

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "shading/color/color_table.h"
-#include "shading/color/index_image.h"
-#include "shading/color/rgb_image.h"
+#include "shading/color/images.h"
 
 namespace xnewell {
 

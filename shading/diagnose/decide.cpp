@@ -7,7 +7,7 @@
 
 #include "depthsort/oracle.h"
 #include "shading/diagnose/diagnose.h"
-#include "shading/diagnose/face_images.h"
+#include "shading/diagnose/scene_for.h"
 
 namespace xnewell {
 

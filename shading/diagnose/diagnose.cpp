@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "depthsort/oracle.h"
-#include "shading/diagnose/face_images.h"
+#include "shading/diagnose/scene_for.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/scene_colors.h"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "shading/color/rgb_image.h"
+#include "shading/color/images.h"
 #include "shading/diagnose/approach.h"
 #include "shading/diagnose/handed_in.h"
 #include "shading/diagnose/hypothesis.h"

@@ -5,8 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "shading/color/index_image.h"
-#include "shading/color/rgb_image.h"
+#include "shading/color/images.h"
 
 namespace xnewell {
 

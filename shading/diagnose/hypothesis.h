@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "shading/diagnose/approach.h"
-#include "shading/diagnose/other_view.h"
-#include "shading/light/mistake.h"
+#include "shading/diagnose/other_model.h"
+#include "shading/light/equation.h"
 #include "shading/scene/picture_settings.h"
 
 namespace xnewell {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "geometry/exact/unit.h"
-#include "geometry/view/screen_grid.h"
+#include "geometry/exact/scale.h"
+#include "geometry/view/screen_plane.h"
 #include "shading/fill/row_values.h"
 
 namespace xnewell {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "shading/color/color_table.h"
-#include "shading/course/interpolation.h"
+#include "shading/course/course.h"
 #include "shading/diagnose/other_model.h"
 
 namespace xnewell {

@@ -6,9 +6,30 @@
 #include <string_view>
 #include <vector>
 
+#include "depthsort/order.h"
+#include "geometry/view/project.h"
+#include "shading/diagnose/approach.h"
 #include "shading/diagnose/diagnose.h"
+#include "shading/diagnose/judge_order.h"
 
 namespace xnewell {
+
+/// The face that each sample shows, an index into scene.faces or kNothing, row by row from the top.
+
+/// As a program paints that works in some way. The scene has planes.
+[[nodiscard]] std::vector<int> facesShown(const SnappedScene& scene, int width, int height, PaintWay way);
+
+/// These faces, painted one over the other in this order.
+[[nodiscard]] std::vector<int> paintedOver(const SnappedScene& scene, int width, int height,
+                                           const std::vector<int>& order);
+
+/// "face 17", or "a piece of face 17".
+[[nodiscard]] std::string stepName(const PaintStep& step);
+
+/// The text of a scene file with the two polygons of the first wrong pair alone, in the same view, painted as
+/// they are listed: `xnewell draw` shows the mistake again.
+[[nodiscard]] std::string pairAsScene(const Picture& picture, const WrongPair& pair,
+                                      std::span<const PaintStep> steps);
 
 /// The scene that tells two mistakes apart.
 

@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/exact/box.h"
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 #include "geometry/view/stages.h"
 #include "shading/scene/units.h"
 
@@ -33,7 +33,7 @@ EquationAt::EquationAt(const Surfaces& s, int material)
   centre_ = box.centre();
   if (!lighting_.onlyAmbient()) lights_ = lightsOf(s.scene, user_);
   const Material& m = lighting_.materials[material];
-  const glm::dvec3 Ia = s.scene.light.Ia.value_or(glm::dvec3{user_.Ia});
+  const glm::dvec3 Ia = ambientOf(s.scene.light, user_);
   for (int c = 0; c < lighting_.channels; ++c) {
     everywhere_.Ia[c] = lighting_.channels == 3 ? Ia[c] : luminance(Ia);
     everywhere_.ambient[c] = m.ambient[c];

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "depthsort/oracle.h"
-#include "shading/explain/loop_value.h"
+#include "shading/explain/term_values.h"
 #include "shading/scene/units.h"
 
 namespace xnewell {

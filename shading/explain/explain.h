@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "shading/explain/equation_at.h"
-#include "shading/explain/on_face.h"
+#include "shading/explain/pixel_history.h"
 #include "shading/light/depth_shading.h"
 #include "shading/picture/picture.h"
 

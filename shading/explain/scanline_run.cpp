@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/exact/unit.h"
-#include "shading/explain/loop_value.h"
-#include "shading/explain/on_face.h"
+#include "geometry/exact/scale.h"
+#include "shading/explain/pixel_history.h"
+#include "shading/explain/term_values.h"
+#include "shading/fill/row_values.h"
 
 namespace xnewell {
 

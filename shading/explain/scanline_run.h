@@ -4,8 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "shading/course/scan_conversion.h"
-#include "shading/course/stepping.h"
+#include "shading/course/course.h"
 #include "shading/explain/explain.h"
 #include "shading/picture/picture.h"
 

@@ -10,7 +10,6 @@
 
 #include "geometry/exact/box.h"
 #include "geometry/exact/scale.h"
-#include "geometry/exact/unit.h"
 #include "geometry/model/bezier.h"
 #include "geometry/model/coplanar.h"
 #include "shading/extremes/extremes.h"

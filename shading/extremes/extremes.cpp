@@ -17,7 +17,7 @@
 #include "depthsort/oracle.h"
 #include "geometry/exact/box.h"
 #include "geometry/exact/plane.h"
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 #include "shading/extremes/extreme_ways.h"
 #include "shading/picture/picture_cache.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "shading/color/color_difference.h"
-#include "shading/figure/runs.h"
+#include "shading/figure/side_table.h"
 
 namespace xnewell {
 

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "shading/figure/convex_part.h"
 #include "shading/figure/shown_polygons.h"
 #include "shading/figure/side_table.h"
 

@@ -14,8 +14,8 @@
 #include "geometry/view/clip.h"
 #include "shading/figure/edge_strokes.h"
 #include "shading/figure/figure.h"
-#include "shading/figure/hiding_polygons.h"
 #include "shading/figure/shades.h"
+#include "shading/figure/side_table.h"
 #include "shading/picture/picture.h"
 #include "shading/picture/picture_cache.h"
 

@@ -8,9 +8,9 @@
 
 #include "depthsort/oracle.h"
 #include "geometry/view/at_source.h"
-#include "shading/figure/convex_part.h"
-#include "shading/figure/runs.h"
-#include "shading/fill/face_triangles.h"
+#include "shading/figure/shown_polygons.h"
+#include "shading/figure/side_table.h"
+#include "shading/fill/fill.h"
 #include "shading/picture/surface_evaluator.h"
 
 namespace xnewell {

@@ -1,10 +1,119 @@
 #include "shading/figure/side_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <functional>
+#include <optional>
 #include <utility>
 
+#include "shading/figure/shown_polygons.h"
+
 namespace xnewell {
+
+LinearOver LinearOver::through(const std::array<glm::dvec2, 3>& at, const std::array<double, 3>& v) {
+  const glm::dvec2 a = at[1] - at[0], b = at[2] - at[0];
+  const double area = a.x * b.y - a.y * b.x, u = v[1] - v[0], w = v[2] - v[0];
+  LinearOver over{(u * b.y - w * a.y) / area, (w * a.x - u * b.x) / area, 0};
+  over.c = v[0] - over(at[0]);
+  return over;
+}
+
+SidedPart sided(const FigurePolygon& polygon) {
+  SidedPart part;
+  for (std::size_t k = 0; k < polygon.corners.size(); ++k)
+    part.push_back({glm::dvec2{polygon.corners[k]}, polygon.lines[k]});
+  return part;
+}
+
+SidedPart clipped(const SidedPart& part, const LinearOver& value, const SideLine& line) {
+  SidedPart left;
+  for (std::size_t k = 0; k < part.size(); ++k) {
+    const SidedCorner &u = part[k], &v = part[k + 1 == part.size() ? 0 : k + 1];
+    const double hu = value(u.at), hv = value(v.at);
+    if (hu >= 0) left.push_back({u.at, hu == 0 && hv < 0 ? line : u.line});
+    if ((hu > 0 && hv < 0) || (hu < 0 && hv > 0))
+      left.push_back({u.at + (v.at - u.at) * (hu / (hu - hv)), hu > 0 ? line : u.line});
+  }
+  return left;
+}
+
+void addRounded(const SidedPart& part, int face, const FigureColor& color, std::vector<FigurePolygon>& to) {
+  FigurePolygon polygon;
+  polygon.face = face, polygon.color = color;
+  const auto rounded = [](const glm::dvec2& v) {
+    return glm::ivec2{static_cast<int>(std::floor(v.x + 0.5)), static_cast<int>(std::floor(v.y + 0.5))};
+  };
+  for (std::size_t k = 0; k < part.size(); ++k) {
+    const glm::ivec2 from = rounded(part[k].at);
+    if (from == rounded(part[k + 1 == part.size() ? 0 : k + 1].at)) continue;
+    polygon.corners.push_back(from);
+    polygon.lines.push_back(part[k].line);
+  }
+  if (doubleArea(polygon.corners) > 0) to.push_back(std::move(polygon));
+}
+
+namespace {
+
+using Color = FigureColor;
+
+/// The colour of a face in a pixel: that of its nearest sample; if there is none near, that of the sample.
+Color colorIn(const ShownSamples& samples, int face, int i, int j) {
+  constexpr int kFar = 3;
+  i = std::clamp(i, 0, samples.width - 1), j = std::clamp(j, 0, samples.height - 1);
+  const auto at = [&](int x, int y) { return std::size_t(y) * samples.width + x; };
+  if (samples.faces[at(i, j)] == face) return samples.colors[at(i, j)];
+  int nearest = 2 * kFar * kFar + 1;
+  Color color = samples.colors[at(i, j)];
+  for (int y = std::max(0, j - kFar); y <= std::min(samples.height - 1, j + kFar); ++y)
+    for (int x = std::max(0, i - kFar); x <= std::min(samples.width - 1, i + kFar); ++x) {
+      const int distance = (x - i) * (x - i) + (y - j) * (y - j);
+      if (samples.faces[at(x, y)] == face && distance < nearest)
+        nearest = distance, color = samples.colors[at(x, y)];
+    }
+  return color;
+}
+
+}  // namespace
+
+int splitIntoRuns(const FigurePolygon& polygon, int index, const ShownSamples& samples, int tolerance,
+                  std::vector<FigurePolygon>& to) {
+  const auto pixel = [](double steps) { return static_cast<int>(std::floor(steps / kFigureSteps)); };
+  const auto [top, bottom] = std::ranges::minmax(polygon.corners, {}, &glm::ivec2::y);
+  const auto lineAt = [index](bool upright, int at) {
+    return SideLine{SideLine::Kind::Shade, static_cast<std::uint64_t>(index) * 2 + (upright ? 1 : 0),
+                    static_cast<std::uint64_t>(at + kFigureSteps)};
+  };
+  int off = 0;
+  SidedPart below = sided(polygon);
+  for (int j = pixel(top.y); j <= pixel(bottom.y) && !below.empty(); ++j) {
+    const double end = (j + 1.0) * kFigureSteps;
+    SidedPart row = clipped(below, {0, -1, end}, lineAt(false, j + 1));
+    below = clipped(below, {0, 1, -end}, lineAt(false, j + 1));
+    if (row.size() < 3) continue;
+    double left = HUGE_VAL, right = -HUGE_VAL;
+    for (const SidedCorner& c : row) left = std::min(left, c.at.x), right = std::max(right, c.at.x);
+    ColorBox run;
+    run.add(colorIn(samples, polygon.face, pixel(left), j));
+    for (int i = pixel(left) + 1; i <= pixel(right); ++i) {
+      const Color color = colorIn(samples, polygon.face, i, j);
+      ColorBox longer = run;
+      longer.add(color);
+      if (longer.radius() > tolerance) {
+        const double at = static_cast<double>(i) * kFigureSteps;
+        addRounded(clipped(row, {-1, 0, at}, lineAt(true, i)), polygon.face, run.middle(), to);
+        row = clipped(row, {1, 0, -at}, lineAt(true, i));
+        off = std::max(off, run.radius());
+        longer = {};
+        longer.add(color);
+      }
+      run = longer;
+    }
+    off = std::max(off, run.radius());
+    addRounded(row, polygon.face, run.middle(), to);
+  }
+  return off;
+}
 
 namespace {
 
@@ -135,6 +244,129 @@ SideTable::SideTable(const std::vector<FigurePolygon>& polygons) : polygons_{pol
   forEachSide([&](const PolygonSide& s) { table.add(from(s), to(s), s); });
   beyond_.reserve(sides);
   forEachSide([&](const PolygonSide& s) { beyond_.push_back(table.last(to(s), from(s))); });
+}
+
+namespace {
+
+/// A polygon with its sides moved outwards, as far as it lies in the page and in its box, which is made
+/// larger in the same way.
+ConvexPart enlarged(const FigureLoop& p, int by, const glm::ivec2& page) {
+  const auto [left, right] = std::ranges::minmax(p, {}, &glm::ivec2::x);
+  const auto [top, bottom] = std::ranges::minmax(p, {}, &glm::ivec2::y);
+  const double x0 = std::max(0, left.x - by), x1 = std::min(page.x, right.x + by),
+               y0 = std::max(0, top.y - by), y1 = std::min(page.y, bottom.y + by);
+  if (x0 >= x1 || y0 >= y1) return {};
+  ConvexPart part{{x0, y0}, {x0, y1}, {x1, y1}, {x1, y0}}, inside;
+  for (std::size_t k = 0; k < p.size() && part.size() > 2; ++k) {
+    const glm::dvec2 a = p[k], side = glm::dvec2{p[k + 1 == p.size() ? 0 : k + 1]} - a;
+    const glm::dvec2 out = glm::dvec2{-side.y, side.x} / std::sqrt(side.x * side.x + side.y * side.y);
+    clipPart(part, a + out * static_cast<double>(by), side, 1, inside);
+    std::swap(part, inside);
+  }
+  return part;
+}
+
+bool isWithin(const glm::dvec2& at, const FigureLoop& p) {
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const glm::dvec2 a = p[k], side = glm::dvec2{p[k + 1 == p.size() ? 0 : k + 1]} - a;
+    if (cross(side, at - a) < 0) return false;
+  }
+  return true;
+}
+
+/// True if the side from a to b lies inside of a convex part somewhere, farther than a step from its border.
+bool runsThrough(const glm::dvec2& a, const glm::dvec2& b, const ConvexPart& part) {
+  double from = 0, to = 1;
+  for (std::size_t k = 0; k < part.size(); ++k) {
+    const glm::dvec2 &u = part[k], side = part[k + 1 == part.size() ? 0 : k + 1] - u;
+    const double step = std::sqrt(side.x * side.x + side.y * side.y);
+    const double ha = cross(side, a - u) - step, hb = cross(side, b - u) - step;
+    if (ha <= 0 && hb <= 0) return false;
+    if (ha < 0) from = std::max(from, ha / (ha - hb));
+    if (hb < 0) to = std::min(to, ha / (ha - hb));
+    if (from >= to) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+HidingPolygons::HidingPolygons(const std::vector<FigurePolygon>& polygons, const SideTable& sides, int width,
+                               int height)
+    : polygons_{polygons},
+      sides_{sides},
+      page_{width * kFigureSteps, height * kFigureSteps},
+      grid_{polygons, width, height},
+      met_(polygons.size(), 0) {}
+
+/// True if later polygons that lie side by side cover a part of a polygon. The first of them, `start`, holds
+/// a point of it. From there we go across each side that runs through the part. If a later polygon lies
+/// beyond each of these sides, no border of what we have met runs through the part, so it has no uncovered
+/// place.
+bool HidingPolygons::surfaceCovers(int start, int polygon, const ConvexPart& part) {
+  ++round_;
+  open_.assign(1, start);
+  met_[start] = round_;
+  while (!open_.empty()) {
+    const int k = open_.back();
+    open_.pop_back();
+    for (int c = 0; c < static_cast<int>(polygons_[k].corners.size()); ++c) {
+      const PolygonSide side{k, c};
+      if (!runsThrough(sides_.from(side), sides_.to(side), part)) continue;
+      const int beyond = sides_.beyond(side).polygon;
+      if (beyond < polygon) {
+        metEarlier_ |= beyond >= 0;
+        return false;
+      }
+      if (std::exchange(met_[beyond], round_) != round_) open_.push_back(beyond);
+    }
+  }
+  return true;
+}
+
+/// True if nothing is left of a part of a polygon when all later polygons are taken away from it.
+bool HidingPolygons::nothingIsLeft(int polygon, int beyond, const ConvexPart& part) {
+  constexpr std::size_t kMostParts = 200;  // with more, the polygon counts as seen
+  over_.clear();
+  grid_.forEachNear(polygon, beyond, [&](int other) {
+    if (other > polygon) over_.push_back(other);
+  });
+  // The surface in front is the latest. It may cover all before the layers between have left many parts.
+  std::ranges::sort(over_, std::greater{});
+  const FigureLoop about{part.begin(), part.end()};
+  std::vector<ConvexPart> left{part};
+  for (const int other : over_) {
+    if (overlap(about, polygons_[other].corners)) takeAway(polygons_[other].corners, left);
+    if (left.empty() || left.size() > kMostParts) break;
+  }
+  return left.empty();
+}
+
+/// True if use(other) is true for a later polygon that holds a point.
+template <class Use>
+bool HidingPolygons::isUnder(const glm::dvec2& point, int polygon, Use&& use) const {
+  bool found = false;
+  grid_.untilAt(point, [&](int other) {
+    found = other > polygon && isWithin(point, polygons_[other].corners) && use(other);
+    return found || other <= polygon;
+  });
+  return found;
+}
+
+bool HidingPolygons::hides(int polygon, int beyond) {
+  const ConvexPart part = enlarged(polygons_[polygon].corners, beyond, page_);
+  if (part.size() < 3) return true;  // outside of the page
+  glm::dvec2 centre{0.0};
+  for (const glm::dvec2& v : part) centre += v;
+  centre = centre / static_cast<double>(part.size());
+  metEarlier_ = false;
+  if (isUnder(centre, polygon, [&](int other) { return surfaceCovers(other, polygon, part); })) return true;
+  // Near the border of what hides a polygon, the search for another proof nearly always fails.
+  if (beyond > 0 && metEarlier_) return false;
+  const auto isCovered = [&](const glm::dvec2& corner) {
+    return isUnder(centre + 0.9 * (corner - centre), polygon, [](int) { return true; });
+  };
+  return isCovered(centre) && std::ranges::all_of(part, isCovered) && nothingIsLeft(polygon, beyond, part);
 }
 
 }  // namespace xnewell

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
-#include "geometry/files/visible.h"
 #include "shading/color/font.h"
 
 namespace xnewell {

@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "shading/fill/face_triangles.h"
+#include "shading/fill/fill.h"
 #include "shading/fill/ramp.h"
 #include "shading/fill/texture.h"
 #include "shading/light/illumination.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geometry/exact/plane.h"
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 #include "shading/fill/dispatch.h"
 #include "shading/fill/reflect.h"
 

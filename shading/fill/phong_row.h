@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 #include "shading/fill/pixel_row.h"
 #include "shading/fill/reflect.h"
 #include "shading/fill/texel_row.h"

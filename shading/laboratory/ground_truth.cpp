@@ -10,7 +10,6 @@
 #include "geometry/exact/give_up.h"
 #include "geometry/exact/plane.h"
 #include "geometry/exact/scale.h"
-#include "geometry/exact/unit.h"
 #include "geometry/view/camera.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/divide_anew.h"
@@ -79,7 +78,7 @@ const GroundTruth& CachedGroundTruth::of(const Picture& picture) {
 Reference::Reference(const Picture& of) : PolygonGroundTruth{of}, gray_{isGray(picture().scene())} {
   const Scene& scene = picture().scene();
   const Illumination& user = picture().settings().light;
-  Ia_ = scene.light.Ia.value_or(glm::dvec3{user.Ia});
+  Ia_ = ambientOf(scene.light, user);
   lights_ = lightsOf(scene, user);
   const auto add = [&](const MeshMaterial& m) {
     materials_.push_back({reflectionOf(m, user, 0), reflectionOf(m, user, 1), reflectionOf(m, user, 2)});

@@ -5,9 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "geometry/exact/power.h"
+#include "geometry/exact/scale.h"
 #include "geometry/exact/trig.h"
-#include "geometry/exact/unit.h"
 
 namespace xnewell {
 
@@ -171,7 +170,7 @@ Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& 
     if (shines && reaches(source, light, box)) lighting.sources.push_back(source);
   }
 
-  const glm::dvec3 Ia = scene.Ia.value_or(glm::dvec3{user.Ia});
+  const glm::dvec3 Ia = ambientOf(scene, user);
   const std::array ambientLight = rgb ? share(Ia) : std::array{luminance(Ia), 0.0, 0.0};
   const auto resolved = [&](const MeshMaterial& m) {
     const std::array Oa = share(m.diffuse), Od = share(diffuseColor(m, user.texel)), Os = share(m.specular);

@@ -11,7 +11,6 @@
 #include "geometry/exact/box.h"
 #include "geometry/model/mesh.h"
 #include "shading/light/equation.h"
-#include "shading/light/mistake.h"
 
 namespace xnewell {
 
@@ -130,6 +129,10 @@ void attenuate(Light& light, Attenuation attenuation, const std::optional<double
 /// The lights of the scene, or if it has none the user's, with the attenuation that the user says. Lengths
 /// are in the scene's units. `box` is the scene's.
 [[nodiscard]] std::vector<Light> lightsOf(const SceneLight& scene, const Illumination& user, const Box& box);
+/// Their ambient light: the scene's Ia, or if it has none the user's.
+[[nodiscard]] inline glm::dvec3 ambientOf(const SceneLight& scene, const Illumination& user) {
+  return scene.Ia.value_or(glm::dvec3{user.Ia});
+}
 /// What a surface reflects in one channel, 0 to 2 for RGB. Values that the material sets win over the user's.
 /// With a texture, kd is what the texel multiplies.
 [[nodiscard]] Reflection reflectionOf(const MeshMaterial& m, const Illumination& user, int channel);

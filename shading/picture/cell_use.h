@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "shading/color/index_image.h"
+#include "shading/color/images.h"
 #include "shading/picture/picture.h"
 
 namespace xnewell {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "geometry/exact/power.h"
+#include "geometry/exact/scale.h"
 
 namespace xnewell {
 

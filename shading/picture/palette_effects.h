@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "shading/color/color_table.h"
-#include "shading/color/palette.h"
 #include "shading/picture/cell_use.h"
 
 namespace xnewell {

@@ -7,13 +7,13 @@
 
 #include "depthsort/depth_sort.h"
 #include "geometry/view/project.h"
-#include "shading/color/index_image.h"
-#include "shading/color/palette.h"
+#include "shading/color/color_table.h"
+#include "shading/color/images.h"
 #include "shading/picture/scene_colors.h"
 #include "shading/picture/scene_shading.h"
 #include "shading/picture/shared.h"
+#include "shading/picture/surface_evaluator.h"
 #include "shading/picture/surface_painter.h"
-#include "shading/picture/surface_values.h"
 #include "shading/scene/picture_settings.h"
 #include "shading/scene/scene.h"
 

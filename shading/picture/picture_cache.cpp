@@ -8,7 +8,7 @@
 #include "depthsort/visibility.h"
 #include "geometry/exact/give_up.h"
 #include "geometry/view/scene_planes.h"
-#include "shading/picture/stopwatch.h"
+#include "shading/picture/shared.h"
 #include "shading/scene/units.h"
 
 namespace xnewell {

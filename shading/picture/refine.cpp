@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "geometry/exact/give_up.h"
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 #include "geometry/model/coplanar.h"
 
 namespace xnewell {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "geometry/view/at_source.h"
-#include "shading/color/hue_plan.h"
+#include "shading/color/color_plan.h"
 #include "shading/picture/surface_painter.h"
 
 namespace xnewell {

@@ -1,10 +1,22 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <utility>
 
 namespace xnewell {
+
+/// Measures the milliseconds since it was created.
+class Stopwatch {
+ public:
+  [[nodiscard]] double ms() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 /// An immutable value that all copies share. A copy costs one pointer, however large the value is.
 template <class T>

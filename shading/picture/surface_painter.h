@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "depthsort/depth_sort.h"
-#include "shading/color/index_image.h"
-#include "shading/fill/environment_map.h"
+#include "shading/color/images.h"
+#include "shading/fill/environment.h"
 #include "shading/fill/ramp.h"
 #include "shading/picture/surface_evaluator.h"
 

@@ -7,7 +7,6 @@
 #include "geometry/files/model_file.h"
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
-#include "geometry/files/visible.h"
 
 namespace xnewell {
 

@@ -13,7 +13,7 @@
 #include "shading/fill/environment.h"
 #include "shading/fill/texture.h"
 #include "shading/light/illumination.h"
-#include "shading/light/method.h"
+#include "shading/light/light.h"
 
 namespace xnewell {
 

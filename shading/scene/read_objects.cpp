@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "geometry/exact/scale.h"
 #include "geometry/exact/trig.h"
-#include "geometry/exact/unit.h"
 #include "geometry/files/bpt.h"
 #include "geometry/files/model_file.h"
 #include "geometry/model/bezier.h"

@@ -6,7 +6,7 @@
 
 #include "geometry/model/mesh.h"
 #include "shading/fill/texture.h"
-#include "shading/scene/json_node.h"
+#include "shading/scene/json_text.h"
 #include "shading/scene/scene.h"
 
 namespace xnewell {

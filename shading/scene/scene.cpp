@@ -13,12 +13,9 @@
 
 #include "geometry/exact/plane.h"
 #include "geometry/exact/scale.h"
-#include "geometry/exact/unit.h"
-#include "geometry/files/data_folder.h"
 #include "geometry/files/model_file.h"
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
-#include "geometry/files/visible.h"
 #include "geometry/model/bezier.h"
 #include "geometry/model/coplanar.h"
 #include "shading/scene/mesh_textures.h"

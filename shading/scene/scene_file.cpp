@@ -15,16 +15,170 @@
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
 #include "geometry/model/bezier.h"
+#include "geometry/view/project.h"
 #include "geometry/view/view.h"
 #include "shading/color/font.h"
-#include "shading/scene/json_node.h"
 #include "shading/scene/json_text.h"
-#include "shading/scene/read_camera.h"
 #include "shading/scene/read_objects.h"
-#include "shading/scene/read_shading.h"
 #include "shading/scene/scene.h"
+#include "shading/scene/settings.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
+
+CameraSettings readCamera(const Node& node) {
+  node.expectKeys({"eye", "look_at", "up", "fov", "parallel", "oblique", "vrp", "vpn", "vup", "prp", "window",
+                   "front", "back"});
+  const auto exclude = [&](const char* a, const char* b) {
+    if (node.has(a) && node.has(b))
+      node.at(b).fail("the camera has both " + std::string{a} + " and " + b + "; give one of them");
+  };
+  exclude("eye", "vpn"), exclude("eye", "prp"), exclude("look_at", "vrp"), exclude("up", "vup");
+  exclude("fov", "window");
+  CameraSettings camera;
+  const auto point = [&](const char* key, std::optional<glm::dvec3>& p) {
+    if (node.has(key)) p = node.at(key).point();
+  };
+  const auto direction = [&](const char* key, std::optional<glm::dvec3>& v) {
+    if (node.has(key)) v = node.at(key).direction();
+  };
+  point("eye", camera.eye), point("look_at", camera.lookAt), direction("up", camera.up);
+  point("vrp", camera.vrp), direction("vpn", camera.vpn), direction("vup", camera.vup);
+  point("prp", camera.prp);
+  if (node.has("window")) camera.window = node.at("window").numbers<4>();
+  if (node.has("front")) camera.front = node.at("front").number();
+  if (node.has("back")) camera.back = node.at("back").number();
+  if (node.has("fov")) {
+    camera.fov = node.at("fov").numberAbove(0);
+    if (*camera.fov >= 180) node.at("fov").fail("an angle between 0 and 180 degrees is needed");
+    if (node.has("parallel") || node.has("oblique"))
+      node.at("fov").fail("a field of view applies only to perspective");
+  }
+  if (node.has("parallel")) {
+    camera.parallel = true;
+    if (!node.at("parallel").isTrue()) camera.height = node.at("parallel").numberAbove(0);
+  }
+  if (node.has("oblique")) {
+    const Node oblique = node.at("oblique");
+    oblique.expectKeys({"kind", "angle"});
+    camera.oblique = Oblique{};
+    if (oblique.has("kind")) {
+      const std::string kind = oblique.at("kind").text();
+      if (kind != "cavalier" && kind != "cabinet") oblique.at("kind").fail("cavalier or cabinet is needed");
+      camera.oblique->length = kind == "cabinet" ? 0.5 : 1.0;
+    }
+    if (oblique.has("angle")) camera.oblique->angle = oblique.at("angle").number();
+  }
+  return camera;
+}
+
+void expectSees(const CameraSettings& camera, const Scene& scene, const Node& node) {
+  // The parts that the file leaves out are chosen to keep clear of the scene; for a narrower picture they are
+  // farther away. So what the narrowest picture cannot show, no other can.
+  constexpr double kNarrowest = 1.0 / kMaxPicture;
+  try {
+    (void)canonicalFromVrc(placeCamera(scene, camera, kNarrowest).view);
+  } catch (const ViewError& e) {
+    node.fail(e.what());
+  }
+}
+
+namespace {
+
+/// The two parts of a key such as "table.i0", before and after the dot. `rest` is empty if there is no dot.
+struct KeyPath {
+  std::string_view first, rest;
+};
+KeyPath pathOf(std::string_view key) {
+  const std::size_t dot = key.find('.');
+  if (dot == std::string_view::npos) return {key, {}};
+  return {key.substr(0, dot), key.substr(dot + 1)};
+}
+
+/// The value that `node` gives for a setting; nothing if it gives none.
+std::optional<Node> findIn(const Node& node, const Setting& setting) {
+  const KeyPath path = pathOf(setting.key);
+  if (!node.has(path.first)) return std::nullopt;
+  const Node found = node.at(path.first);
+  if (path.rest.empty()) return found;
+  return found.has(path.rest) ? std::optional{found.at(path.rest)} : std::nullopt;
+}
+
+/// Refuses all keys that are not keys of settings. @throws ParseError
+void expectSettings(const Node& node) {
+  std::vector<std::string_view> firsts;
+  for (const Setting& setting : settingRows()) {
+    const std::string_view first = pathOf(setting.key).first;
+    if (std::ranges::find(firsts, first) == firsts.end()) firsts.push_back(first);
+  }
+  node.expectKeys(firsts);
+  for (const std::string_view first : firsts) {
+    std::vector<std::string_view> rests;
+    for (const Setting& setting : settingRows())
+      if (const KeyPath path = pathOf(setting.key); path.first == first && !path.rest.empty())
+        rests.push_back(path.rest);
+    if (!rests.empty() && node.has(first)) node.at(first).expectKeys(rests);
+  }
+}
+
+Value valueOf(const Setting& setting, const Node& node) {
+  switch (setting.field.kind) {
+    case ValueKind::Number:
+      return node.number();
+    case ValueKind::Whole:
+      return static_cast<double>(
+          node.whole(static_cast<int>(setting.range.low), static_cast<int>(setting.range.high)));
+    case ValueKind::Flag:
+      return node.truth() ? 1.0 : 0.0;
+    case ValueKind::Choice: {
+      const std::string name = node.isNumber() ? textOf(node.number()) : node.text();
+      const std::optional<int> choice = choiceNamed(setting, name);
+      if (!choice) node.fail(inQuotes(name) + " is not " + expected(setting));
+      return static_cast<double>(*choice);
+    }
+    case ValueKind::Triple:
+      return node.point();
+  }
+  return {};
+}
+
+void expectEffect(const Setting& setting, const PictureSettings& settings, const Node& node) {
+  if (!hasEffect(setting, factsOf(settings)))
+    node.fail("this setting applies only to " + std::string{setting.need.appliesTo});
+}
+
+}  // namespace
+
+void readShading(PictureSettings& settings, const Node& node) {
+  expectSettings(node);
+  std::vector<Override> overrides;
+  for (const Setting& setting : settingRows()) {
+    const std::optional<Node> found = findIn(node, setting);
+    if (!found) continue;
+    const Value value = valueOf(setting, *found);
+    if (!allows(setting, value))
+      found->fail(expected(setting) + (setting.letters.empty() ? " is" : " are") + " needed");
+    overrides.push_back({&setting, value});
+  }
+  if (!applyOverrides(settings, overrides)) node.fail("Ia + Ip must not exceed 1");
+}
+
+void expectCounts(const PictureSettings& settings, const SceneLight& scene, const Node& node) {
+  for (const Setting& setting : settingRows())
+    if (setting.need.unmet == Need::Unmet::Refused)
+      if (const std::optional<Node> found = findIn(node, setting)) expectEffect(setting, settings, *found);
+  const Illumination& light = settings.light;
+  if (node.has("attenuation") && light.attenuation != Attenuation::None && !light.lightPosition &&
+      !scene.placed())
+    node.at("attenuation")
+        .fail("attenuation needs a point light: give light_at. " + std::string{kOwnAttenuation});
+}
+
+void expectDivides(const PictureSettings& settings, const Node& node) {
+  for (const Setting& setting : settingRows())
+    if (setting.need.unmet == Need::Unmet::RefusedOrKept)
+      if (const std::optional<Node> found = findIn(node, setting)) expectEffect(setting, settings, *found);
+}
 
 namespace {
 

@@ -1,12 +1,179 @@
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 
-#include "shading/scene/setting_choices.h"
-#include "shading/scene/setting_field.h"
-#include "shading/scene/setting_needs.h"
+#include "geometry/view/project.h"
+#include "shading/color/color_table.h"
+#include "shading/scene/settings.h"
 
 namespace xnewell {
+
+namespace {
+
+/// The choices of settings that have no table of their own, or other labels in the window.
+
+template <class Id>
+struct NamedRow {
+  Id id;
+  std::string_view name, label;
+};
+template <class Id>
+struct WordedRow {
+  Id id;
+  std::string_view name, label;
+  std::string_view words;  ///< Choice::words
+};
+constexpr std::array kCulls{WordedRow<Cull>{Cull::Keep, "none", "keep", "backs kept"},
+                            WordedRow<Cull>{Cull::Back, "back", "cull", "backs culled"}};
+constexpr std::array kFillers{NamedRow<bool>{true, "x11", "XFillPolygon"},
+                              NamedRow<bool>{false, "scanline", "scanline"}};
+constexpr std::array kSides{WordedRow<bool>{false, "one", "one", "fronts lit"},
+                            WordedRow<bool>{true, "two", "two", "both sides lit"}};
+constexpr std::array kPickLabels{NamedRow<Pick>{Pick::Log, kPicks[0].name, "in ratio"},
+                                 NamedRow<Pick>{Pick::Search, kPicks[1].name, "in difference"}};
+constexpr std::array kBits{NamedRow<int>{8, "8", "8"}, NamedRow<int>{16, "16", "16"}};
+
+/// These functions make the Field of a setting. `member` is a function from the settings to the member that
+/// stores the value.
+
+template <class T>
+constexpr bool kOptional = false;
+template <class T>
+constexpr bool kOptional<std::optional<T>> = true;
+
+/// A field for a number, a flag or three numbers, or for an optional number or an optional three numbers,
+/// which may stay open.
+template <class Member>
+Field holds(Member member) {
+  using T = std::remove_cvref_t<decltype(member(std::declval<PictureSettings&>()))>;
+  Field field;
+  if constexpr (std::is_same_v<T, bool>) field.kind = ValueKind::Flag;
+  if constexpr (std::is_same_v<T, int>) field.kind = ValueKind::Whole;
+  if constexpr (std::is_same_v<T, glm::dvec3> || std::is_same_v<T, std::optional<glm::dvec3>>)
+    field.kind = ValueKind::Triple;
+  field.get = [=](const PictureSettings& s) -> Value {
+    if constexpr (kOptional<T>)
+      return member(s) ? Value{*member(s)} : Value{};
+    else if constexpr (std::is_same_v<T, glm::dvec3>)
+      return member(s);
+    else
+      return static_cast<double>(member(s));
+  };
+  field.set = [=](PictureSettings& s, const Value& value) {
+    if constexpr (kOptional<T>) {
+      member(s).reset();
+      if (const auto* v = std::get_if<typename T::value_type>(&value)) member(s) = *v;
+    } else if constexpr (std::is_same_v<T, glm::dvec3>) {
+      member(s) = std::get<glm::dvec3>(value);
+    } else {
+      member(s) = static_cast<T>(std::get<double>(value));
+    }
+  };
+  return field;
+}
+
+/// True if each row says itself in words, or if rows of this table have no words.
+template <class Rows>
+constexpr bool allHaveWords(const Rows& rows) {
+  return std::ranges::none_of(rows, [](const auto& row) {
+    if constexpr (requires { row.words; }) return row.words.empty();
+    return false;
+  });
+}
+
+/// A field for a choice of one of the rows of a table, or for an optional one, which may stay open. A row may
+/// have a label and words. The table must live as long as the program.
+template <class Rows, class Member>
+Field choosesFrom(const Rows& rows, Member member) {
+  using T = std::remove_cvref_t<decltype(member(std::declval<PictureSettings&>()))>;
+  Field field{.kind = ValueKind::Choice};
+  for (const auto& row : rows) {
+    Choice choice{.name = row.name, .label = row.name, .words = ""};
+    if constexpr (requires { row.label; }) choice.label = row.label;
+    if constexpr (requires { row.words; }) choice.words = row.words;
+    field.choices.push_back(choice);
+  }
+  field.get = [member, &rows](const PictureSettings& s) -> Value {
+    if constexpr (kOptional<T>)
+      if (!member(s)) return {};
+    const auto row = std::ranges::find_if(rows, [&](const auto& r) { return member(s) == r.id; });
+    return static_cast<double>(row - rows.begin());
+  };
+  field.set = [member, &rows](PictureSettings& s, const Value& value) {
+    if constexpr (kOptional<T>) {
+      member(s).reset();
+      if (std::holds_alternative<std::monostate>(value)) return;
+    }
+    member(s) = rows[static_cast<std::size_t>(std::get<double>(value))].id;
+  };
+  return field;
+}
+template <const auto& kRows, class Member>
+Field chooses(Member member) {
+  static_assert(allHaveWords(kRows), "a row of this table has no words");
+  return choosesFrom(kRows, member);
+}
+
+namespace needs {
+
+/// The conditions under which settings have an effect.
+
+using Facts = const PictureFacts&;
+
+bool interpolates(Facts f) { return rowOf(f.settings.shading).interpolates; }
+bool creased(Facts f) {
+  const NormalRule rule = f.settings.normals;
+  const bool known =
+      rule == NormalRule::File ? f.patches || f.normals : rule == NormalRule::Exact && f.patches;
+  return interpolates(f) && !known;
+}
+bool gouraud(Facts f) { return f.settings.shading == Shading::Gouraud; }
+bool phong(Facts f) { return f.settings.shading == Shading::Phong; }
+bool mapped(Facts f) { return f.settings.shading == Shading::Environment; }
+bool dividing(Facts f) {
+  return (gouraud(f) || f.settings.shading == Shading::Flat) && f.settings.light.mistake == Mistake::None;
+}
+bool lit(Facts f) { return rowOf(f.settings.shading).lit; }
+bool litInPlace(Facts f) { return lit(f) && !mapped(f); }
+/// R stands only in the textbook's form.
+bool takesMistake(Facts f) {
+  const Illumination& light = f.settings.light;
+  return litInPlace(f) && (!rowOf(light.mistake).changesR() || light.form == Form::Textbook);
+}
+bool textured(Facts f) { return litInPlace(f) && f.textures; }
+bool overDepth(Facts f) { return f.settings.shading == Shading::Phong || textured(f); }
+bool specular(Facts f) { return lit(f) && f.highlights; }
+bool formed(Facts f) { return specular(f) && !mapped(f); }
+bool asksForEye(Facts f) { return formed(f) && f.settings.light.form != Form::Tutorial; }
+bool fadesLinearly(Facts f) { return f.settings.light.attenuation == Attenuation::Linear; }
+bool fadesAsTextbook(Facts f) { return f.settings.light.attenuation == Attenuation::Textbook; }
+bool inColors(Facts f) { return f.plan == ColorPlan::Cube || f.plan == ColorPlan::Chosen; }
+bool inRamps(Facts f) { return !inColors(f); }
+bool inOneHue(Facts f) { return f.plan == ColorPlan::OneHue; }
+bool shaded(Facts f) { return f.plan != ColorPlan::Cube; }
+bool corrected(Facts f) { return inRamps(f) && f.settings.table.kind == TableKind::Corrected; }
+
+constexpr Need kLit{lit, "flat, gouraud, phong and envmap shading, which use light"};
+constexpr Need kTextured{textured, "textures, in flat, gouraud and phong shading"};
+constexpr Need kSpecular{specular, "highlights: ks above 0 and a shading method that uses light"};
+constexpr Need kFormed{
+    formed,
+    "highlights (ks above 0) of flat, gouraud and phong shading; envmap always uses cos^n of N and L"};
+constexpr Need kEye{asksForEye,
+                    "highlights (ks above 0) of flat, gouraud and phong shading with V in their form"};
+constexpr Need kInPlace{litInPlace, "flat, gouraud and phong shading; for envmap all lights are far away"};
+constexpr Need kEvaluated{takesMistake,
+                          "flat, gouraud and phong shading, which evaluate the equation; mistakes in "
+                          "R only to the textbook's form"};
+constexpr Need kCorrected{corrected, "ramps of the corrected table"};
+
+}  // namespace needs
+
+}  // namespace
 
 /// ---- How a picture is made
 

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "geometry/exact/give_up.h"
-#include "shading/picture/stopwatch.h"
+#include "shading/picture/shared.h"
 
 namespace xnewell {
 

@@ -12,7 +12,6 @@
 #include "shading/picture/shared.h"
 #include "shading/trade/configuration.h"
 #include "shading/trade/timing.h"
-#include "shading/trade/trade_request.h"
 
 namespace xnewell {
 

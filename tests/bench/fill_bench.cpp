@@ -16,16 +16,14 @@
 #include "shading/color/color_difference.h"
 #include "shading/color/quantize.h"
 #include "shading/fill/environment.h"
-#include "shading/fill/environment_map.h"
 #include "shading/fill/evaluated.h"
 #include "shading/fill/fill.h"
 #include "shading/fill/gouraud.h"
 #include "tests/bench/least.h"
 #include "tests/bench/triangulated.h"
-#include "tests/support/affine_over.h"
 #include "tests/support/full_color_picture.h"
-#include "tests/support/image_difference.h"
 #include "tests/support/normal_error.h"
+#include "tests/support/random_triangles.h"
 
 namespace xnewell {
 

@@ -10,7 +10,7 @@
 #include "geometry/exact/plane.h"
 #include "geometry/exact/trig.h"
 #include "geometry/model/solids.h"
-#include "shading/laboratory/exactness.h"
+#include "shading/laboratory/errors.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/units.h"
 #include "tests/bench/least.h"

@@ -10,7 +10,6 @@
 #include "depthsort/depth_sort.h"
 #include "depthsort/oracle.h"
 #include "depthsort/order.h"
-#include "depthsort/samples.h"
 #include "geometry/view/screen_plane.h"
 #include "tests/support/exact_region.h"
 #include "tests/support/painted.h"

@@ -5,8 +5,8 @@
 
 #include "depthsort/box_grid.h"
 #include "depthsort/fragment_spans.h"
+#include "depthsort/oracle.h"
 #include "depthsort/region.h"
-#include "depthsort/samples.h"
 #include "tests/support/exact_region.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"

@@ -16,8 +16,7 @@
 
 #include "depthsort/depth_sort.h"
 #include "geometry/files/bpt.h"
-#include "geometry/files/data_folder.h"
-#include "geometry/files/mtl.h"
+#include "geometry/files/model_file.h"
 #include "geometry/files/obj.h"
 #include "geometry/files/off.h"
 #include "geometry/files/parse_error.h"

@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "geometry/exact/plane.h"
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 #include "geometry/model/coplanar.h"
-#include "geometry/model/fit_plane.h"
 #include "geometry/model/solids.h"
 #include "tests/support/extended.h"
 #include "tests/support/random_wall.h"

@@ -12,8 +12,8 @@
 #include "geometry/exact/int128.h"
 #include "geometry/exact/overlap.h"
 #include "geometry/exact/plane.h"
+#include "geometry/exact/scale.h"
 #include "geometry/exact/trig.h"
-#include "geometry/exact/unit.h"
 #include "geometry/exact/wide_int128.h"
 #include "tests/support/seeds.h"
 

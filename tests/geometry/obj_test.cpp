@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "geometry/files/mtl.h"
 #include "geometry/files/obj.h"
 #include "tests/support/reader_fixture.h"
 

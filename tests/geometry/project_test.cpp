@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "geometry/model/coplanar.h"
-#include "geometry/model/fit_plane.h"
 #include "geometry/model/sheets.h"
 #include "geometry/view/project.h"
 #include "geometry/view/scene_planes.h"

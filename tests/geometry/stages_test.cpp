@@ -11,8 +11,8 @@
 #include <random>
 #include <string_view>
 
+#include "geometry/exact/scale.h"
 #include "geometry/exact/trig.h"
-#include "geometry/exact/unit.h"
 #include "geometry/model/divide.h"
 
 namespace xnewell::THIS_FILE {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "geometry/exact/plane.h"
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 #include "geometry/files/bpt.h"
 #include "geometry/model/bezier.h"
 #include "tests/support/extended.h"

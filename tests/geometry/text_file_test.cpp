@@ -20,10 +20,9 @@
 #include <system_error>
 #include <vector>
 
-#include "geometry/files/number.h"
 #include "geometry/files/output_file.h"
+#include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
-#include "geometry/files/visible.h"
 #include "tests/support/reader_fixture.h"
 #include "tests/support/temporary_folder.h"
 

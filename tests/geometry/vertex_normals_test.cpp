@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/exact/scale.h"
 #include "geometry/exact/trig.h"
-#include "geometry/exact/unit.h"
 #include "geometry/files/bpt.h"
 #include "geometry/model/solids.h"
 #include "geometry/model/vertex_normals.h"

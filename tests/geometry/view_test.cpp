@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 #include "geometry/view/camera.h"
 #include "geometry/view/view.h"
 #include "tests/support/extended.h"

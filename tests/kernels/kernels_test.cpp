@@ -13,7 +13,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "geometry/view/screen_grid.h"
+#include "geometry/view/screen_plane.h"
 #include "tests/kernels/search.h"
 
 namespace xnewell {

@@ -6,7 +6,6 @@
 #include "shading/color/color_table.h"
 #include "shading/fill/affine.h"
 #include "shading/fill/environment.h"
-#include "shading/fill/environment_map.h"
 #include "shading/fill/evaluate_pixels.h"
 #include "shading/fill/ramp.h"
 #include "shading/fill/reflect.h"

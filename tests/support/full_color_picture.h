@@ -12,10 +12,9 @@
 #include <vector>
 
 #include "shading/color/color_difference.h"
-#include "shading/color/index_image.h"
-#include "shading/color/palette.h"
+#include "shading/color/color_table.h"
+#include "shading/color/images.h"
 #include "shading/color/quantize.h"
-#include "shading/color/rgb_image.h"
 
 namespace xnewell {
 

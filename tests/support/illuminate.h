@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 #include "shading/light/equation.h"
 
 namespace xnewell {

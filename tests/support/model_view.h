@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "geometry/exact/box.h"
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 #include "shading/picture/picture.h"
 #include "shading/scene/units.h"
 

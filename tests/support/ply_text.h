@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/files/ply_header.h"
+#include "geometry/files/ply.h"
 
 namespace xnewell {
 

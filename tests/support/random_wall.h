@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 #include "geometry/model/mesh.h"
 
 namespace xnewell {

@@ -26,13 +26,12 @@
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene_file.h"
 #include "shading/scene/settings.h"
-#include "tests/support/doubt.h"
 #include "tests/support/painted.h"
 #include "tests/support/seeds.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/program.h"
 #include "x11/views/difference.h"
-#include "x11/views/table_curves.h"
+#include "x11/views/plot.h"
 
 namespace xnewell::THIS_FILE {
 

@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "shading/picture/stopwatch.h"
+#include "shading/picture/shared.h"
+#include "shading/scene/scene.h"
 #include "x11/lessons/lesson.h"
-#include "x11/options/window_place.h"
+#include "x11/options/options.h"
 #include "x11/window/controls.h"
 
 namespace xnewell {
@@ -48,5 +49,11 @@ class Lecture {
   double seconds_;
   Stopwatch shown_;
 };
+
+/// Reads the scene that the options name, and settles the options and the scene with each other: what the
+/// scene asks for becomes part of `options.picture`, and what the command line replaces leaves the scene.
+/// Prints what was strange in the file on standard error.
+/// @throws UsageError, ParseError, std::system_error, ViewError
+[[nodiscard]] Scene readyScene(Options& options);
 
 }  // namespace xnewell

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "shading/light/mistake.h"
+#include "shading/light/equation.h"
 #include "shading/picture/picture_cache.h"
 
 namespace xnewell {

@@ -6,8 +6,8 @@
 #include <thread>
 #include <utility>
 
-#include "shading/picture/stopwatch.h"
-#include "x11/app/server.h"
+#include "shading/picture/shared.h"
+#include "x11/app/surface.h"
 #include "x11/app/workbench.h"
 #include "x11/options/option_rows.h"
 #include "x11/options/setup_command.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "geometry/exact/give_up.h"
-#include "shading/laboratory/exactness.h"
+#include "shading/laboratory/errors.h"
 #include "x11/app/mistake_game.h"
 #include "x11/pixel/pixel_view.h"
 #include "x11/scanline/scanline_view.h"
@@ -14,11 +14,11 @@
 #include "x11/stepper/sort_view.h"
 #include "x11/trade/trade_view.h"
 #include "x11/viewing/viewing_view.h"
-#include "x11/views/color_strip.h"
-#include "x11/window/caption.h"
+#include "x11/views/colors_page.h"
 #include "x11/window/colors_view.h"
+#include "x11/window/controls.h"
+#include "x11/window/layout.h"
 #include "x11/window/mach_bands_view.h"
-#include "x11/window/no_effect.h"
 #include "x11/window/picture_view.h"
 
 namespace xnewell {

@@ -6,13 +6,12 @@
 #include <utility>
 
 #include "geometry/files/output_file.h"
-#include "geometry/files/visible.h"
+#include "geometry/files/parse_error.h"
 #include "shading/figure/make_figure.h"
 #include "shading/figure/write_figure.h"
-#include "x11/app/ready_scene.h"
+#include "x11/app/lecture.h"
 #include "x11/app/workbench.h"
-#include "x11/kit/file_question.h"
-#include "x11/kit/one_line.h"
+#include "x11/kit/typed_line.h"
 #include "x11/options/setup_command.h"
 
 namespace xnewell {

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "x11/app/workbench.h"
-#include "x11/window/drawer.h"
+#include "x11/window/layout.h"
 #include "x11/window/picture_view.h"
 
 namespace xnewell {

@@ -10,7 +10,7 @@
 #include "shading/figure/write_figure.h"
 #include "shading/laboratory/ground_truth.h"
 #include "shading/picture/picture_cache.h"
-#include "shading/picture/stopwatch.h"
+#include "shading/picture/shared.h"
 #include "shading/scene/settings.h"
 #include "x11/command/commands.h"
 #include "x11/command/report.h"

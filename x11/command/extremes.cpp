@@ -13,6 +13,7 @@
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
 #include "x11/options/exit_status.h"
+#include "x11/options/options.h"
 #include "x11/terminal/terminal.h"
 
 namespace xnewell {

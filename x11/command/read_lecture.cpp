@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
-#include "geometry/files/data_folder.h"
+#include "geometry/files/model_file.h"
 #include "geometry/files/text_file.h"
 #include "shading/scene/json_text.h"
-#include "x11/app/ready_scene.h"
+#include "x11/app/lecture.h"
 #include "x11/app/work.h"
 #include "x11/command/commands.h"
 #include "x11/options/shell_words.h"

@@ -6,13 +6,13 @@
 
 #include "geometry/files/output_file.h"
 #include "geometry/model/edges.h"
+#include "shading/color/images.h"
 #include "shading/color/png.h"
-#include "shading/color/rgb_image.h"
-#include "shading/laboratory/exactness.h"
+#include "shading/laboratory/errors.h"
 #include "shading/picture/required.h"
 #include "shading/scene/divide_anew.h"
 #include "x11/terminal/terminal.h"
-#include "x11/window/no_effect.h"
+#include "x11/window/controls.h"
 
 namespace xnewell {
 

@@ -6,7 +6,7 @@
 #include "geometry/files/output_file.h"
 #include "shading/color/png.h"
 #include "shading/picture/picture_cache.h"
-#include "shading/picture/stopwatch.h"
+#include "shading/picture/shared.h"
 #include "shading/trade/measure.h"
 #include "shading/trade/trade.h"
 #include "x11/command/commands.h"

@@ -1,15 +1,72 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "shading/color/index_image.h"
-#include "x11/drawing/rect.h"
+#include "shading/color/color_table.h"
+#include "shading/color/images.h"
 
 namespace xnewell {
+
+/// The pixels [x, x + width) x [y, y + height), y downward; empty where a side is not positive.
+struct Rect {
+  int x = 0, y = 0, width = 0, height = 0;
+  [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
+  /// True if pixel (i, j) is one of them. Precondition: its sides end within int.
+  [[nodiscard]] bool has(int i, int j) const { return i >= x && i < x + width && j >= y && j < y + height; }
+  bool operator==(const Rect&) const = default;
+};
+
+/// The rectangle with all its sides `factor` times as far from the origin, such as units in pixels.
+[[nodiscard]] constexpr Rect operator*(const Rect& r, int factor) {
+  return {r.x * factor, r.y * factor, r.width * factor, r.height * factor};
+}
+
+/// The pixels that two rectangles share. Precondition: their sides end within int.
+[[nodiscard]] constexpr Rect intersection(const Rect& a, const Rect& b) {
+  const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
+  return {x, y, std::min(a.x + a.width, b.x + b.width) - x, std::min(a.y + a.height, b.y + b.height) - y};
+}
+
+/// The pixels of a line, both ends included. Each step along the longer axis gets the nearest pixel; half way
+/// between two, the one with the larger coordinate. So the pixels are the same from either end.
+/// @see Foley & van Dam 2e §3.2
+
+/// Calls use(k, x, y) for each pixel of the line, the k-th of it, that lies within `area` along the longer
+/// axis. Along the other axis it may lie outside. Coordinates stay within +-2^24. Bresenham 1965, begun where
+/// the line enters the area. After k of n steps the other coordinate is floor(k d / n + 1/2) = floor((2 k d +
+/// n) / 2n) from its start: `whole`, and `rest` of 2n.
+template <class Use>
+void forEachPixelOfLine(const Rect& area, int x0, int y0, int x1, int y1, Use&& use) {
+  const bool steep = std::abs(y1 - y0) > std::abs(x1 - x0);
+  const int from = steep ? y0 : x0, to = steep ? y1 : x1, across = steep ? x0 : y0;
+  const int forward = to < from ? -1 : 1;
+  const int areaFrom = steep ? area.y : area.x, areaEnd = areaFrom + (steep ? area.height : area.width);
+  const std::int64_t n = std::abs(to - from), d = steep ? x1 - x0 : y1 - y0;
+
+  const int enters = forward > 0 ? areaFrom - from : from - (areaEnd - 1);
+  const int leaves = forward > 0 ? areaEnd - 1 - from : from - areaFrom;
+  const int first = std::max(0, enters), last = std::min(static_cast<int>(n), leaves);
+  const std::int64_t whole2n = std::max<std::int64_t>(1, 2 * n), numerator = 2 * first * d + n;
+  std::int64_t rest = ((numerator % whole2n) + whole2n) % whole2n, whole = (numerator - rest) / whole2n;
+  for (int k = first; k <= last; ++k) {
+    const int along = from + forward * k, beside = across + static_cast<int>(whole);
+    steep ? use(k, beside, along) : use(k, along, beside);
+    rest += 2 * d;
+    if (rest >= whole2n) {
+      rest -= whole2n;
+      ++whole;
+    } else if (rest < 0) {
+      rest += whole2n;
+      --whole;
+    }
+  }
+}
 
 /// Lines, areas, letters and small marks, drawn into the index image. Every view of the tool is drawn
 /// with these, with and without a server. Colours are cells of the palette; what they mean is the caller's.
@@ -149,5 +206,37 @@ class Painter {
   Rect clip_;  ///< pixels, inside the image
   Writing* writing_;
 };
+
+/// Draws the window's texts, keys and rules with the cells of a plan. A view that needs more adds it to a
+/// struct derived from this one.
+struct Pen {
+  Painter paint;
+  const CellPlan& plan;
+
+  [[nodiscard]] std::uint8_t operator()(Cell cell) const { return plan[cell]; }
+  [[nodiscard]] KeyCapCells keyCells() const {
+    return {plan[Cell::Panel], plan[Cell::Rule], plan[Cell::Faint], plan[Cell::Soft]};
+  }
+  int key(int x, int y, std::string_view name) { return paint.keyCap(x, y, name, keyCells()); }
+  int arrow(int x, int y, Direction d) { return paint.keyCap(x, y, d, keyCells()); }
+  int soft(int x, int y, std::string_view s) { return paint.text(x, y, s, plan[Cell::Soft]); }
+  int ink(int x, int y, std::string_view s) { return paint.text(x, y, s, plan[Cell::Ink]); }
+  int bold(int x, int y, std::string_view s, Cell cell = Cell::Ink) {
+    return paint.text(x, y, s, plan[cell], Voice::Bold);
+  }
+  int softRight(int x, int y, std::string_view s) { return paint.textRight(x, y, s, plan[Cell::Soft]); }
+  void boldRight(int x, int y, std::string_view s) { paint.textRight(x, y, s, plan[Cell::Ink], Voice::Bold); }
+  int caps(int x, int y, std::string_view s) { return paint.text(x, y, s, plan[Cell::Soft], Voice::Caps); }
+  void rule(int x, int y, int width) { paint.hline(x, y, width, plan[Cell::Rule]); }
+};
+
+/// A white box with a bar of a colour at its left: the finding in bold, then why, in as many lines of this
+/// height as fit.
+void drawFindingBox(Pen& pen, const Rect& at, int line, std::string_view bold, std::string_view why,
+                    Cell bar);
+
+/// Marks the row that has the keyboard: a background that reaches `beyond` pixels past its end, and an ink
+/// bar before it.
+void drawFocus(Pen& pen, const Rect& row, int beyond = 2);
 
 }  // namespace xnewell

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "shading/color/palette.h"
+#include "shading/color/color_table.h"
 #include "x11/drawing/painter.h"
 
 namespace xnewell {

@@ -14,7 +14,7 @@
 #include "shading/color/png.h"
 #include "shading/picture/picture_cache.h"
 #include "x11/drawing/wording.h"
-#include "x11/homework/answer_file.h"
+#include "x11/homework/hand_ins.h"
 #include "x11/homework/judge_run.h"
 #include "x11/homework/reports.h"
 

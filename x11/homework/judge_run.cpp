@@ -13,10 +13,9 @@
 #include "depthsort/fragment_spans.h"
 #include "depthsort/oracle.h"
 #include "depthsort/pair_tests.h"
-#include "depthsort/samples.h"
 #include "geometry/view/scene_planes.h"
 #include "shading/diagnose/judge_order.h"
-#include "shading/laboratory/exactness.h"
+#include "shading/laboratory/errors.h"
 #include "x11/drawing/wording.h"
 
 namespace xnewell {

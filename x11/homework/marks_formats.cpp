@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "geometry/files/visible.h"
+#include "geometry/files/parse_error.h"
 #include "x11/drawing/wording.h"
 #include "x11/homework/class_marks.h"
-#include "x11/homework/html.h"
+#include "x11/homework/reports.h"
 
 namespace xnewell {
 

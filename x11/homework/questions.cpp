@@ -21,12 +21,11 @@
 #include "geometry/view/view.h"
 #include "shading/color/color_table.h"
 #include "shading/color/png.h"
-#include "shading/diagnose/face_images.h"
+#include "shading/diagnose/scene_for.h"
 #include "shading/light/equation.h"
-#include "shading/light/mistake.h"
 #include "shading/picture/picture_cache.h"
 #include "x11/drawing/wording.h"
-#include "x11/homework/html.h"
+#include "x11/homework/reports.h"
 
 namespace xnewell {
 

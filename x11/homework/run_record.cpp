@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "depthsort/fragment_spans.h"
-#include "depthsort/pieces.h"
+#include "depthsort/region.h"
 #include "geometry/files/text_file.h"
-#include "shading/diagnose/paint_steps.h"
-#include "shading/laboratory/exactness.h"
+#include "shading/diagnose/judge_order.h"
+#include "shading/laboratory/errors.h"
 #include "shading/scene/json_text.h"
 #include "x11/drawing/wording.h"
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "depthsort/pair_tests.h"
-#include "depthsort/pieces.h"
 #include "depthsort/record/explain.h"
+#include "depthsort/region.h"
 #include "shading/picture/picture.h"
 
 namespace xnewell {

@@ -1,14 +1,79 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "x11/kit/key.h"
-#include "x11/kit/prompt.h"
-
 namespace xnewell {
+
+/// A key as the window sees it: a Latin-1 letter, or a key with a name.
+enum class NamedKey {
+  Letter,
+  Left,
+  Right,
+  Up,
+  Down,
+  Home,
+  End,
+  PageUp,
+  PageDown,
+  Tab,
+  Space,
+  Return,
+  Backspace,
+  Escape,
+  F11
+};
+struct Key {
+  NamedKey name = NamedKey::Letter;
+  char letter = 0;
+  bool shift = false;
+
+  constexpr Key() = default;
+  constexpr Key(NamedKey n, char l = 0, bool s = false) : name{n}, letter{l}, shift{s} {}
+  constexpr Key(char l) : letter{l} {}
+  bool operator==(const Key&) const = default;
+
+  /// True if both are the same key. Shift does not count: a letter has it already, and with a named key it
+  /// only means "ten times as far".
+  [[nodiscard]] constexpr bool isSameKeyAs(const Key& other) const {
+    return name == other.name && (name != NamedKey::Letter || letter == other.letter);
+  }
+};
+
+/// What is written on the key: "a", "PgUp"; an arrow is "<", ">", "^" or "v", which a key cap draws as a
+/// triangle.
+[[nodiscard]] std::string capOf(const Key& key);
+/// The key whose cap has this written on it, or an arrow with this name; nothing if no key has.
+[[nodiscard]] std::optional<Key> keyOfCap(std::string_view cap);
+/// The key in a sentence: "a", "PgUp", "left".
+[[nodiscard]] std::string nameOf(const Key& key);
+
+/// A question whose answer the user types on a line under the body. Return accepts the answer, Esc cancels.
+struct Question {
+  std::string asks;                      ///< "go to step"
+  std::string text = {};                 ///< the text at first
+  bool fresh = true;                     ///< true if the first letter typed replaces the text
+  std::vector<std::string> offers = {};  ///< the texts that Up and Down put on the line
+  /// Takes the text. Returns "", or a sentence that says what is wrong; then the user can correct the text.
+  std::function<std::string(const std::string&)> take;
+  std::function<void()> dropped = {};  ///< called if the line is closed without an answer
+  bool cells = false;                  ///< a click on the strip answers `cell 178`
+  bool ofPicture = false;              ///< the line closes when another picture is shown
+};
+
+/// Where a view talks to the user.
+class Prompt {
+ public:
+  virtual ~Prompt() = default;
+  virtual void ask(Question question) = 0;
+  /// Shows a warning, one sentence, in the status line until the next key or click.
+  virtual void notify(std::string notice) = 0;
+  /// Shows plain news there until the next key.
+  virtual void tell(std::string news) = 0;
+};
 
 /// The keys of a view are rows of one table. The view is driven by this table, and the last line of the
 /// window, the list of all keys and the manual are written from it. So a key and what is said about it cannot

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "x11/drawing/wording.h"
-#include "x11/kit/typed_number.h"
+#include "x11/kit/typed_line.h"
 
 namespace xnewell::page {
 

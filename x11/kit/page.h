@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "x11/drawing/pen.h"
+#include "x11/drawing/painter.h"
 
 /// What a view or a command has to say, as a value: said once, and told as a page of the window, as text, as
 /// JSON, as lines to copy, and as questions.

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "x11/drawing/pen.h"
+#include "x11/drawing/painter.h"
 
 namespace xnewell {
 

@@ -2,13 +2,24 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "x11/kit/key_table.h"
 #include "x11/kit/page.h"
-#include "x11/kit/prompt.h"
-#include "x11/kit/score.h"
 
 namespace xnewell {
+
+/// How many questions the student has answered, and how many of them right at the first try.
+struct Score {
+  int right = 0, asked = 0;
+
+  void add(bool isRight) { ++asked, right += isRight; }
+  [[nodiscard]] std::string text() const {
+    return std::to_string(right) + " of " + std::to_string(asked) + " right at the first try";
+  }
+  bool operator==(const Score&) const = default;
+};
 
 /// Asks for a value until it is right or given up; the first try counts. `tried` gets the cell that an answer
 /// picks, and `tell` whether the last one was right. `score` outlives the question.

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "x11/kit/control_list.h"
+#include "x11/kit/control.h"
 
 namespace xnewell {
 

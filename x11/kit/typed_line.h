@@ -1,12 +1,34 @@
 #pragma once
 
+#include <charconv>
+#include <functional>
 #include <optional>
 #include <string>
 
-#include "x11/kit/key.h"
-#include "x11/kit/prompt.h"
+#include "geometry/files/parse_error.h"
+#include "x11/kit/key_table.h"
 
 namespace xnewell {
+
+/// The whole number that `text` spells; nothing if it has any other character.
+inline std::optional<int> wholeNumber(const std::string& text) {
+  int value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && at == end && !text.empty() ? std::optional{value} : std::nullopt;
+}
+
+/// The number that `text` spells, perhaps with a plus and with blanks around it; nothing if it has any other
+/// character.
+inline std::optional<double> typedNumber(std::string text) {
+  text.erase(text.find_last_not_of(' ') + 1);
+  text.erase(0, text.find_first_not_of(' '));
+  if (text.starts_with('+') && !text.starts_with("+-")) text.erase(0, 1);
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && at == end && !text.empty() ? std::optional{value} : std::nullopt;
+}
 
 /// What a line shows while the user types on it.
 struct Typed {
@@ -38,5 +60,21 @@ class TypedLine {
   std::optional<Question> question_;
   std::string complaint_;
 };
+
+/// Asks for the name of a file to write, and a second time before it replaces a file.
+/// @param complaint  says what is wrong with a name; "" if nothing
+/// @param write      writes the file. If it throws std::system_error, that is told, and the user may correct
+///                   the name
+[[nodiscard]] Question fileQuestion(std::string asks, std::string text,
+                                    std::function<std::string(const std::string& file)> complaint,
+                                    std::function<void(const std::string& file)> write);
+
+/// Turns a text into one line of bounded length, whatever names and words it quotes: a text of more than 800
+/// bytes keeps its first 600 and its last 200, and all is visible.
+[[nodiscard]] inline std::string oneLine(std::string text) {
+  constexpr std::size_t kBegin = 600, kEnd = 200;
+  if (text.size() > kBegin + kEnd) text.replace(kBegin, text.size() - kBegin - kEnd, "...");
+  return visible(text);
+}
 
 }  // namespace xnewell

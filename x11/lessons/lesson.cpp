@@ -4,15 +4,14 @@
 #include <array>
 #include <cctype>
 
-#include "geometry/files/data_folder.h"
+#include "geometry/files/model_file.h"
 #include "geometry/files/text_file.h"
 #include "geometry/view/view.h"
 #include "shading/scene/json_text.h"
-#include "shading/scene/read_camera.h"
-#include "shading/scene/read_shading.h"
+#include "shading/scene/scene_file.h"
 #include "shading/scene/settings.h"
 #include "x11/lessons/lesson_facts.h"
-#include "x11/lessons/step_figure.h"
+#include "x11/lessons/lesson_page.h"
 
 namespace xnewell {
 

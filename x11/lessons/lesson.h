@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "shading/scene/json_node.h"
-#include "x11/homework/answer_file.h"
-#include "x11/lessons/step_figure.h"
+#include "shading/scene/json_text.h"
+#include "x11/homework/hand_ins.h"
+#include "x11/lessons/lesson_page.h"
 
 namespace xnewell {
 

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "geometry/files/text_file.h"
-#include "shading/explain/rounded_terms.h"
 #include "shading/explain/scanline_run.h"
 #include "shading/explain/term_values.h"
 #include "shading/laboratory/profile.h"
@@ -15,9 +14,9 @@
 #include "shading/picture/picture_cache.h"
 #include "x11/drawing/wording.h"
 #include "x11/lessons/lesson_figure.h"
-#include "x11/viewing/lit_parts.h"
+#include "x11/viewing/view_controls.h"
 #include "x11/viewing/viewing_page.h"
-#include "x11/views/table_curves.h"
+#include "x11/views/plot.h"
 
 namespace xnewell {
 

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "depthsort/record/explain.h"
-#include "shading/color/index_image.h"
+#include "shading/color/images.h"
 #include "shading/explain/explain.h"
-#include "shading/laboratory/exactness.h"
+#include "shading/laboratory/errors.h"
 #include "shading/picture/picture.h"
 #include "x11/lessons/lesson.h"
-#include "x11/lessons/step_figure.h"
+#include "x11/lessons/lesson_page.h"
 
 namespace xnewell {
 

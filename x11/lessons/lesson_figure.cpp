@@ -7,9 +7,9 @@
 
 #include "depthsort/record/explain.h"
 #include "depthsort/record/replay.h"
-#include "shading/laboratory/exactness.h"
+#include "shading/laboratory/errors.h"
 #include "shading/laboratory/profile.h"
-#include "x11/drawing/pen.h"
+#include "x11/drawing/painter.h"
 #include "x11/drawing/wording.h"
 #include "x11/lessons/lesson_page.h"
 #include "x11/scanline/scanline_page.h"

@@ -3,12 +3,12 @@
 #include <memory>
 #include <vector>
 
-#include "shading/color/index_image.h"
-#include "shading/color/palette.h"
+#include "shading/color/color_table.h"
+#include "shading/color/images.h"
 #include "shading/explain/scanline_run.h"
 #include "shading/picture/picture.h"
 #include "x11/drawing/painter.h"
-#include "x11/lessons/step_figure.h"
+#include "x11/lessons/lesson_page.h"
 #include "x11/window/layout.h"
 
 namespace xnewell {

@@ -9,8 +9,8 @@
 #include "geometry/files/output_file.h"
 #include "shading/scene/units.h"
 #include "x11/drawing/wording.h"
-#include "x11/homework/answer_file.h"
-#include "x11/kit/score.h"
+#include "x11/homework/hand_ins.h"
+#include "x11/kit/quiz.h"
 #include "x11/lessons/lesson_facts.h"
 #include "x11/lessons/lesson_figure.h"
 

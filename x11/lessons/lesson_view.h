@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "x11/kit/control_list.h"
+#include "x11/kit/control.h"
 #include "x11/lessons/lesson.h"
 #include "x11/lessons/lesson_page.h"
 #include "x11/window/layout.h"

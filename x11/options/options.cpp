@@ -1,5 +1,4 @@
 #include "x11/options/options.h"
-#include "x11/options/exit_status.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -19,8 +18,8 @@
 
 #include "geometry/files/text_file.h"
 #include "shading/scene/settings.h"
+#include "x11/options/exit_status.h"
 #include "x11/options/option_rows.h"
-#include "x11/options/read_value.h"
 #include "x11/options/setup_command.h"
 #include "x11/options/shell_words.h"
 

@@ -17,7 +17,6 @@
 #include "shading/figure/write_figure.h"
 #include "shading/scene/settings.h"
 #include "shading/scene/units.h"
-#include "x11/options/read_value.h"
 #include "x11/options/shell_words.h"
 
 namespace xnewell {

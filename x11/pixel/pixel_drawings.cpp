@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "geometry/exact/scale.h"
 #include "geometry/exact/trig.h"
-#include "geometry/exact/unit.h"
 #include "x11/pixel/pixel_page.h"
 
 namespace xnewell {

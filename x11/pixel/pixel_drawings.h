@@ -5,7 +5,7 @@
 #include <glm/vec2.hpp>
 
 #include "shading/explain/explain.h"
-#include "x11/drawing/pen.h"
+#include "x11/drawing/painter.h"
 
 namespace xnewell {
 

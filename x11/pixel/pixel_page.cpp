@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "shading/color/quantize.h"
-#include "shading/explain/rounded_terms.h"
 #include "shading/explain/term_values.h"
 #include "shading/picture/cell_use.h"
 #include "shading/scene/units.h"

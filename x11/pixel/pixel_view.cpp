@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "x11/drawing/wording.h"
-#include "x11/kit/typed_number.h"
+#include "x11/kit/typed_line.h"
 
 namespace xnewell {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "shading/color/palette.h"
+#include "shading/color/color_table.h"
 #include "shading/explain/scanline_run.h"
 #include "x11/kit/pseudocode.h"
-#include "x11/kit/score.h"
+#include "x11/kit/quiz.h"
 #include "x11/kit/transport.h"
 #include "x11/scanline/scanline_words.h"
 

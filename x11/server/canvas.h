@@ -8,9 +8,8 @@
 #include <memory>
 #include <string>
 
-#include "shading/color/index_image.h"
-#include "shading/color/rgb_image.h"
-#include "x11/drawing/rect.h"
+#include "shading/color/images.h"
+#include "x11/drawing/painter.h"
 #include "x11/server/colormap.h"
 #include "x11/server/display.h"
 #include "x11/visual/emulation.h"

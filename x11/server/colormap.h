@@ -7,10 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "shading/color/palette.h"
+#include "shading/color/color_table.h"
 #include "x11/server/display.h"
 #include "x11/visual/emulation.h"
-#include "x11/visual/tool_colors.h"
 #include "x11/visual/visual.h"
 
 namespace xnewell {

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "geometry/files/visible.h"
+#include "geometry/files/parse_error.h"
 
 namespace xnewell {
 

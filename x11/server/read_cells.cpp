@@ -5,7 +5,7 @@
 #include <cassert>
 #include <unordered_map>
 
-#include "shading/color/few_colors.h"
+#include "shading/color/color_plan.h"
 #include "shading/color/png.h"
 
 namespace xnewell {

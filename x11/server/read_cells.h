@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "shading/color/colored_image.h"
+#include "shading/color/images.h"
 #include "x11/server/canvas.h"
 #include "x11/server/colormap.h"
 

@@ -11,8 +11,8 @@
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/settings.h"
 #include "x11/drawing/wording.h"
-#include "x11/views/picture_sheet.h"
-#include "x11/window/caption.h"
+#include "x11/views/views.h"
+#include "x11/window/layout.h"
 
 namespace xnewell {
 

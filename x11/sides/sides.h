@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "shading/picture/picture.h"
-#include "x11/drawing/rect.h"
-#include "x11/options/window_place.h"
+#include "x11/drawing/painter.h"
+#include "x11/options/options.h"
 #include "x11/views/difference.h"
 
 namespace xnewell {

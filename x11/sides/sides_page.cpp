@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "x11/drawing/pen.h"
+#include "x11/drawing/painter.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
-#include "x11/views/picture_sheet.h"
+#include "x11/views/views.h"
 #include "x11/window/layout.h"
 
 namespace xnewell {

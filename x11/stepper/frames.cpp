@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "x11/drawing/wording.h"
-#include "x11/stepper/fragment_tint.h"
-#include "x11/stepper/outline.h"
+#include "x11/stepper/sort_picture.h"
 
 namespace xnewell {
 

@@ -8,11 +8,11 @@
 
 #include "depthsort/record/explain.h"
 #include "depthsort/record/replay.h"
-#include "shading/color/palette.h"
+#include "shading/color/color_table.h"
 #include "shading/picture/picture.h"
 #include "x11/drawing/painter.h"
-#include "x11/stepper/outline.h"
-#include "x11/stepper/so_far.h"
+#include "x11/stepper/sort_picture.h"
+#include "x11/stepper/sort_state.h"
 
 namespace xnewell {
 

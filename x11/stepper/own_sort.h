@@ -8,7 +8,7 @@
 
 #include "shading/diagnose/judge_order.h"
 #include "x11/homework/run_record.h"
-#include "x11/kit/score.h"
+#include "x11/kit/quiz.h"
 #include "x11/stepper/sort_run.h"
 
 namespace xnewell {

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "depthsort/record/landmarks.h"
+#include "depthsort/record/replay.h"
 #include "x11/kit/transport.h"
 
 namespace xnewell {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "x11/stepper/fragment_tint.h"
+#include "x11/stepper/sort_picture.h"
 #include "x11/stepper/sort_wording.h"
 
 namespace xnewell {

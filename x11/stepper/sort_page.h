@@ -1,7 +1,7 @@
 #pragma once
 
-#include "shading/color/palette.h"
-#include "x11/kit/control_list.h"
+#include "shading/color/color_table.h"
+#include "x11/kit/control.h"
 #include "x11/stepper/sort_run.h"
 #include "x11/stepper/sort_state.h"
 

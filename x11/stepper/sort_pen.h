@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "x11/drawing/pen.h"
-#include "x11/stepper/outline.h"
+#include "x11/drawing/painter.h"
 #include "x11/stepper/sort_page.h"
+#include "x11/stepper/sort_picture.h"
 
 namespace xnewell {
 

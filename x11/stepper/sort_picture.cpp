@@ -1,13 +1,156 @@
+#include "x11/stepper/sort_picture.h"
+
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
+#include "depthsort/fragment_spans.h"
 #include "x11/drawing/wording.h"
-#include "x11/stepper/fragment_tint.h"
 #include "x11/stepper/frames.h"
 #include "x11/stepper/sort_pen.h"
 
 namespace xnewell {
+
+Fragment fragmentOf(const SnappedScene& scene, const SortedScene& sorted, int id) {
+  const int faces = static_cast<int>(scene.faces.size());
+  return id < faces ? Fragment{id} : Fragment{sorted.pieces[id - faces].face, id - faces};
+}
+
+Samples tintFragment(Painter paint, const Rect& at, glm::ivec2 size, const SnappedScene& scene,
+                     const SortedScene& sorted, int id, std::optional<Stipple> tint, std::uint8_t cell) {
+  const Rect all = at * paint.unit();
+  const double scale = 1.0 * all.width / size.x;
+  Painter fine = paint.pixels();
+  const auto pixel = [&](std::int64_t sample) {
+    return static_cast<int>(scale * static_cast<double>(sample));
+  };
+  std::int64_t x = 0, y = 0, samples = 0;
+  forEachSpan(scene, sorted, fragmentOf(scene, sorted, id), size.x, size.y, [&](int row, int from, int to) {
+    samples += to - from, y += std::int64_t{row} * (to - from),
+        x += std::int64_t{from + to} * (to - from) / 2;
+    if (tint)
+      fine.stipple({all.x + pixel(from), all.y + pixel(row), pixel(to) - pixel(from),
+                    std::max(1, pixel(row + 1) - pixel(row))},
+                   *tint, cell);
+  });
+  if (samples == 0) return {};
+  const int unit = paint.unit();
+  return {static_cast<std::int64_t>(scale * scale * static_cast<double>(samples)),
+          at.x + pixel(x / samples) / unit, at.y + pixel(y / samples) / unit};
+}
+
+std::int64_t samplesWithin(const SnappedScene& scene, const SortedScene& sorted, int id, const Rect& area) {
+  std::int64_t samples = 0;
+  forEachSpan(scene, sorted, fragmentOf(scene, sorted, id), area.x + area.width, area.y + area.height,
+              [&](int row, int from, int to) {
+                if (row >= area.y) samples += std::max(0, to - std::max(from, area.x));
+              });
+  return samples;
+}
+
+bool owns(const SnappedScene& scene, const SortedScene& sorted, const Fragment& fragment, int column,
+          int row) {
+  bool found = false;
+  const SnappedFace& face = scene.faces[fragment.face];
+  forEachSpan(&scene.vertices[face.first], face.count, row, column + 1, row + 1,
+              [&](int j, int from, int to) {
+                Columns columns{from, to};
+                if (fragment.piece >= 0)
+                  columns = PieceWalk{scene, sorted, sorted.pieces[fragment.piece]}.within(j, columns);
+                found |= columns.from <= column && column < columns.to;
+              });
+  return found;
+}
+
+namespace {
+
+// The coordinates of Painter end at 2^24; dashes need lengths below half the range of int.
+constexpr double kFarthestDrawn = 1 << 20;
+
+/// Cuts a segment to the part near the image; false if there is none. Liang and Barsky 1984.
+bool nearImage(Place& from, Place& to) {
+  const double dx = to.x - from.x, dy = to.y - from.y;
+  double enters = 0.0, leaves = 1.0;
+  const auto clip = [&](double slope, double room) {  // slope * t <= room
+    if (slope == 0.0) return room >= 0.0;
+    const double t = room / slope;
+    (slope < 0.0 ? enters : leaves) = slope < 0.0 ? std::max(enters, t) : std::min(leaves, t);
+    return enters <= leaves;
+  };
+  if (!clip(-dx, from.x + kFarthestDrawn) || !clip(dx, kFarthestDrawn - from.x) ||
+      !clip(-dy, from.y + kFarthestDrawn) || !clip(dy, kFarthestDrawn - from.y))
+    return false;
+  const Place start = from;
+  if (enters > 0.0) from = {start.x + enters * dx, start.y + enters * dy};
+  if (leaves < 1.0) to = {start.x + leaves * dx, start.y + leaves * dy};
+  return true;
+}
+
+int pixel(double v) { return static_cast<int>(std::floor(v)); }
+
+}  // namespace
+
+Outline outlineOf(const Region& region) {
+  Outline figure;
+  for (const Side& side : region) figure.push_back({side.corner.x / kGrid, side.corner.y / kGrid});
+  return figure;
+}
+
+Place middleOf(const Outline& figure) {
+  Place middle;
+  for (const Place& p : figure) {
+    middle.x += p.x / static_cast<double>(figure.size());
+    middle.y += p.y / static_cast<double>(figure.size());
+  }
+  return middle;
+}
+
+void segment(Painter& painter, Place from, Place to, std::uint8_t cell, const LineStyle& style) {
+  if (!nearImage(from, to)) return;
+  painter.line(pixel(from.x), pixel(from.y), pixel(to.x), pixel(to.y), cell, style);
+}
+
+void outline(Painter& painter, const Outline& figure, std::uint8_t cell, const LineStyle& style) {
+  if (figure.empty()) return;
+  Place from = figure.back();
+  for (const Place& to : figure) {
+    segment(painter, from, to, cell, style);
+    from = to;
+  }
+}
+
+void tint(Painter& painter, const Rect& area, const Outline& figure, Stipple stipple, std::uint8_t cell) {
+  for (int j = area.y; j < area.y + area.height; ++j) {
+    const double y = j + 0.5;
+    double left = kFarthestDrawn, right = -kFarthestDrawn;
+    for (std::size_t k = 0; k < figure.size(); ++k) {
+      const Place &a = figure[k], &b = figure[k + 1 == figure.size() ? 0 : k + 1];
+      if ((a.y <= y) == (b.y <= y)) continue;
+      const double x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
+      left = std::min(left, x), right = std::max(right, x);
+    }
+    const int from = std::max(area.x, static_cast<int>(std::ceil(std::max(left, -kFarthestDrawn) - 0.5)));
+    const int to =
+        std::min(area.x + area.width, static_cast<int>(std::ceil(std::min(right, kFarthestDrawn) - 0.5)));
+    painter.stipple({from, j, to - from, 1}, stipple, cell);
+  }
+}
+
+std::optional<Chord> zeroLine(const Outline& figure, const std::vector<double>& values) {
+  assert(figure.size() == values.size());
+  std::vector<Place> ends;
+  for (std::size_t k = 0; k < figure.size() && ends.size() < 2; ++k) {
+    const std::size_t next = k + 1 == figure.size() ? 0 : k + 1;
+    const double a = values[k], b = values[next];
+    if ((a < 0.0) == (b < 0.0)) continue;
+    const double t = a / (a - b);
+    ends.push_back(
+        {figure[k].x + t * (figure[next].x - figure[k].x), figure[k].y + t * (figure[next].y - figure[k].y)});
+  }
+  if (ends.size() < 2) return std::nullopt;
+  return Chord{ends[0], ends[1]};
+}
 
 namespace {
 

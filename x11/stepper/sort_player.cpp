@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "x11/kit/typed_number.h"
+#include "x11/kit/typed_line.h"
 #include "x11/stepper/sort_wording.h"
 
 namespace xnewell {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "x11/kit/prompt.h"
+#include "x11/kit/key_table.h"
 #include "x11/stepper/sort_run.h"
 #include "x11/stepper/sort_state.h"
 

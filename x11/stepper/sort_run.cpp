@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "depthsort/fragment_spans.h"
-#include "x11/stepper/fragment_tint.h"
+#include "x11/stepper/sort_picture.h"
 
 namespace xnewell {
 

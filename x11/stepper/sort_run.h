@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "depthsort/record/explain.h"
-#include "depthsort/record/landmarks.h"
 #include "depthsort/record/replay.h"
 #include "x11/homework/judge_run.h"
-#include "x11/stepper/so_far.h"
+#include "x11/stepper/sort_state.h"
 
 namespace xnewell {
 

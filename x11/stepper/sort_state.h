@@ -1,13 +1,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "shading/picture/picture.h"
 #include "x11/homework/run_record.h"
 #include "x11/kit/control.h"
-#include "x11/kit/score.h"
+#include "x11/kit/quiz.h"
 #include "x11/stepper/sort_layout.h"
 
 namespace xnewell {
@@ -56,6 +58,31 @@ struct SortDrawn {
   Rect loupe;             ///< empty if there is none
   std::vector<int> rows;  ///< fragment id of each row of the list, -1 for none
   std::vector<RingPlace> ring = {};
+};
+
+/// The picture of a run after any number of its fragments, whether the steps go forward or back.
+class SoFar {
+ public:
+  /// A run over picture.snapped(), which outlives it. Within so many bytes it keeps copies of the image,
+  /// evenly spaced along the run as at() passes there, so that going back paints at most a space again.
+  SoFar(const Picture& picture, const SortedScene& sorted, std::uint8_t ground, std::size_t bytes);
+  SoFar(const SoFar&) = delete;  // its painter refers to its picture
+  SoFar& operator=(const SoFar&) = delete;
+  ~SoFar() = default;
+
+  /// Valid until the next call. 0 <= painted <= SortedScene::fragments.size().
+  [[nodiscard]] const IndexImage& at(int painted);
+
+ private:
+  static constexpr int kMostCopies = 256;
+
+  const Picture picture_;
+  const SortedScene& sorted_;
+  SurfacePainter painter_;
+  IndexImage image_;
+  int painted_ = 0;                 ///< fragments in image_
+  int space_ = 0;                   ///< fragments from copy to copy; 0: no copies are kept
+  std::vector<IndexImage> copies_;  ///< the k-th shows k space_ fragments
 };
 
 }  // namespace xnewell

@@ -6,12 +6,11 @@
 #include "geometry/files/parse_error.h"
 #include "shading/picture/picture_cache.h"
 #include "x11/drawing/wording.h"
-#include "x11/kit/one_line.h"
+#include "x11/kit/typed_line.h"
 #include "x11/options/shell_words.h"
 #include "x11/stepper/sort_page.h"
 #include "x11/stepper/sort_wording.h"
-#include "x11/window/caption.h"
-#include "x11/window/drawer.h"
+#include "x11/window/layout.h"
 
 namespace xnewell {
 

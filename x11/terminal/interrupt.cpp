@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "x11/options/exit_status.h"
+#include "x11/options/options.h"
 
 namespace xnewell {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "geometry/files/visible.h"
+#include "geometry/files/parse_error.h"
 
 namespace xnewell {
 

@@ -9,9 +9,9 @@
 #include <thread>
 #include <vector>
 
-#include "shading/color/index_image.h"
+#include "shading/color/images.h"
 #include "shading/picture/picture_cache.h"
-#include "shading/picture/stopwatch.h"
+#include "shading/picture/shared.h"
 #include "shading/trade/trade.h"
 #include "x11/kit/control.h"
 #include "x11/kit/page.h"

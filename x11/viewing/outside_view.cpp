@@ -6,7 +6,7 @@
 #include <glm/matrix.hpp>
 #include <utility>
 
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 #include "x11/viewing/viewing_page.h"
 
 namespace xnewell {

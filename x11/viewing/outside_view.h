@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "shading/explain/viewing_story.h"
-#include "x11/drawing/pen.h"
-#include "x11/kit/control_list.h"
+#include "x11/drawing/painter.h"
+#include "x11/kit/control.h"
 #include "x11/viewing/stage_image.h"
 #include "x11/window/host.h"
 

@@ -6,8 +6,8 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
+#include "geometry/exact/scale.h"
 #include "geometry/exact/trig.h"
-#include "geometry/exact/unit.h"
 #include "geometry/view/at_source.h"
 
 namespace xnewell {

@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "shading/color/index_image.h"
+#include "shading/color/images.h"
 #include "shading/explain/viewing_story.h"
 #include "shading/picture/picture.h"
-#include "x11/drawing/rect.h"
-#include "x11/viewing/lit_parts.h"
+#include "x11/drawing/painter.h"
+#include "x11/viewing/view_controls.h"
 
 namespace xnewell {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "x11/drawing/wording.h"
-#include "x11/views/table_curves.h"
+#include "x11/views/plot.h"
 
 namespace xnewell {
 

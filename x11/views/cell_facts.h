@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "shading/color/palette.h"
+#include "shading/color/color_table.h"
 #include "shading/picture/cell_use.h"
 
 namespace xnewell {

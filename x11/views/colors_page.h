@@ -4,14 +4,36 @@
 #include <string>
 #include <vector>
 
+#include "shading/color/color_table.h"
 #include "shading/picture/cell_use.h"
 #include "shading/picture/palette_effects.h"
+#include "x11/drawing/painter.h"
 #include "x11/kit/control.h"
 #include "x11/views/cell_facts.h"
 #include "x11/views/plot.h"
 #include "x11/views/views.h"
 
 namespace xnewell {
+
+/// All 256 cells side by side. A free cell holds what other programs stored there: it is a line. Bars above
+/// them show how much the picture uses each; words below say what they hold.
+
+/// The cells of the scene in words.
+struct SceneCellWords {
+  CellRange cells{11, 240};
+  std::string rule;             ///< "linear: cell i holds (i - 10)/255 of the hue"
+  std::string shortRule;        ///< "linear table"
+  std::string what = "shades";  ///< or "colours"
+};
+[[nodiscard]] SceneCellWords wordsOf(const Picture& picture, const PaletteEffects& effects = {});
+
+/// `at` is 60 pixels high and at least 512 wide. Each cell has a whole number of pixels; the rest stays empty
+/// at both ends. Bars grow with the logarithm of the number of samples. `compact` leaves out what a narrow
+/// strip has no room for.
+void drawColorStrip(Painter paint, const Rect& at, const CellPlan& plan, const CellUse& use,
+                    const SceneCellWords& words, bool compact, std::optional<int> inspected = {});
+/// The cell drawn at x.
+[[nodiscard]] std::optional<int> cellInStrip(const Rect& at, int x, int y);
 
 /// What is in each cell, which cells are used, and why is the corrected table correct? The page shows all
 /// cells as a grid, one of them in numbers, the stored values and the step to the next shade as curves, and

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "shading/trade/trade.h"
-#include "x11/drawing/labels.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
 

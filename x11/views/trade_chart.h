@@ -7,10 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "shading/color/rgb_image.h"
+#include "shading/color/images.h"
 #include "shading/trade/trade.h"
 #include "x11/drawing/painter.h"
-#include "x11/drawing/rect.h"
 #include "x11/kit/page.h"
 #include "x11/views/views.h"
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "shading/color/color_table.h"
@@ -111,5 +112,21 @@ class PixelTable {
 
 /// The 8-bit values that a server shows for a stored colour.
 [[nodiscard]] inline glm::ivec3 eightBits(Rgb16 c) { return {c.r >> 8, c.g >> 8, c.b >> 8}; }
+
+/// Chooses which of the server's colours stand for the sixteen interface colours where these cannot be
+/// stored.
+///
+/// No interface colour is mixed, because text must be legible. Nearness is CIEDE2000: by 8-bit values, a dark
+/// gray would become navy where blue has few levels. A colour that is drawn on another, or that follows
+/// another in a legend of differences, stays darker or lighter than the other as long as the server's colours
+/// allow it. If no colour is near enough, words become black, or white on the dark well.
+
+using ToolColors = std::array<OfferedColor, kCells>;
+
+/// `wanted` holds the 8-bit values of the interface colours; `has` holds the choices that are already
+/// settled.
+[[nodiscard]] ToolColors chooseToolColors(const OfferedColors& offered,
+                                          const std::array<glm::ivec3, kCells>& wanted,
+                                          const std::array<std::optional<OfferedColor>, kCells>& has = {});
 
 }  // namespace xnewell

@@ -3,9 +3,9 @@
 #include <functional>
 #include <optional>
 
-#include "shading/trade/trade_request.h"
-#include "x11/kit/prompt.h"
-#include "x11/options/window_place.h"
+#include "shading/trade/configuration.h"
+#include "x11/kit/key_table.h"
+#include "x11/options/options.h"
 #include "x11/window/controls.h"
 
 namespace xnewell {

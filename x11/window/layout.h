@@ -1,8 +1,23 @@
 #pragma once
 
-#include "x11/drawing/rect.h"
+#include <string>
+
+#include "x11/drawing/painter.h"
+#include "x11/kit/control.h"
+#include "x11/window/controls.h"
 
 namespace xnewell {
+
+/// The settings of a picture in words.
+
+/// One line that says how a picture is made: "flat; sorted by farthest z; own scanline; perspective".
+[[nodiscard]] std::string captionOf(const Setup& setup);
+/// The mistake in the equation of a picture, "R reversed"; "" if it has none or shows none.
+[[nodiscard]] std::string mistakeIn(const Setup& setup);
+/// "sorted by farthest z"
+[[nodiscard]] std::string orderText(Order order);
+/// "Gouraud", "full intensity"
+[[nodiscard]] std::string shadingText(Shading shading);
 
 inline constexpr int kMargin = 16, kControls = 320;
 
@@ -38,5 +53,19 @@ struct Layout {
 
 /// The largest scale at which the window has room for the controls; 1 if there is none.
 [[nodiscard]] int largestScale(int width, int height);
+
+/// The drawer of a view's controls at the right edge of the window, while it has few of them or none.
+
+/// The key that shuts the drawer and opens it.
+inline constexpr char kDrawerKey = 'D';
+
+/// The handle, as a control. `press` gets its letter.
+[[nodiscard]] Control handleControl(const std::function<void(char)>& press);
+
+/// Draws the background of the drawer and its handle, and places the handle. If the drawer is open, places
+/// the controls whose keys are in `few`, one below the other, in the order of the keys; a control for which
+/// there is no room has no place.
+void drawDrawer(Pen& pen, const Layout& at, const Controls& controls, std::string_view few,
+                ControlList& list);
 
 }  // namespace xnewell

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "x11/drawing/pen.h"
+#include "x11/drawing/painter.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
 

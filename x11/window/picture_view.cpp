@@ -6,19 +6,16 @@
 #include "geometry/exact/box.h"
 #include "geometry/exact/scale.h"
 #include "geometry/exact/trig.h"
-#include "geometry/exact/unit.h"
 #include "geometry/view/view.h"
 #include "shading/color/quantize.h"
-#include "shading/laboratory/exactness.h"
-#include "shading/light/mistake.h"
+#include "shading/laboratory/errors.h"
+#include "shading/light/equation.h"
 #include "shading/scene/units.h"
 #include "x11/drawing/painter.h"
-#include "x11/drawing/pen.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
 #include "x11/views/cell_facts.h"
-#include "x11/window/caption.h"
-#include "x11/window/drawer.h"
+#include "x11/window/layout.h"
 
 namespace xnewell {
 
@@ -83,7 +80,7 @@ std::string inexactness(const Picture& picture, bool compact) {
 }
 
 double IaOf(const Setup& setup, const Scene& scene) {
-  return largest(scene.light.Ia.value_or(glm::dvec3{setup.picture.light.Ia}));
+  return largest(ambientOf(scene.light, setup.picture.light));
 }
 
 /// The intensities in force: Ia and the sum of all Ip, those of the scene where it has its own.

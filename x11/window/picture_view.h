@@ -9,12 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "shading/color/palette.h"
-#include "x11/drawing/rect.h"
-#include "x11/kit/control_list.h"
+#include "shading/color/color_table.h"
+#include "x11/drawing/painter.h"
+#include "x11/kit/control.h"
 #include "x11/views/views.h"
 #include "x11/window/controls.h"
-#include "x11/window/drawer.h"
 #include "x11/window/layout.h"
 #include "x11/window/window_view.h"
 

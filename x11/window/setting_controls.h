@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "x11/kit/control_list.h"
+#include "x11/kit/control.h"
 #include "x11/window/controls.h"
 #include "x11/window/host.h"
 

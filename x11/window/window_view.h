@@ -6,7 +6,7 @@
 #include "shading/picture/cell_use.h"
 #include "shading/picture/palette_effects.h"
 #include "shading/picture/picture.h"
-#include "x11/views/color_strip.h"
+#include "x11/views/colors_page.h"
 #include "x11/window/host.h"
 #include "x11/window/layout.h"
 #include "x11/window/setting_controls.h"

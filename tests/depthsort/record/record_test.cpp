@@ -5,7 +5,6 @@
 #include <set>
 
 #include "depthsort/record/explain.h"
-#include "depthsort/record/landmarks.h"
 #include "depthsort/record/replay.h"
 #include "tests/support/random_scenes.h"
 

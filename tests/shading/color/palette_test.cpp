@@ -9,8 +9,8 @@
 #include <set>
 
 #include "shading/color/color_difference.h"
-#include "shading/color/hue_plan.h"
-#include "shading/color/palette.h"
+#include "shading/color/color_plan.h"
+#include "shading/color/color_table.h"
 
 namespace xnewell::THIS_FILE {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "shading/color/color_difference.h"
-#include "shading/color/few_colors.h"
+#include "shading/color/color_plan.h"
 #include "shading/color/quantize.h"
 #include "tests/support/full_color_picture.h"
 

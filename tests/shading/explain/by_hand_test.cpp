@@ -9,14 +9,13 @@
 #include <string>
 
 #include "depthsort/oracle.h"
-#include "geometry/exact/unit.h"
+#include "geometry/exact/scale.h"
 #include "shading/color/color_table.h"
 #include "shading/explain/explain.h"
 #include "shading/explain/pixel_history.h"
 #include "shading/explain/scanline_run.h"
 #include "shading/explain/viewing_story.h"
 #include "shading/light/equation.h"
-#include "shading/light/mistake.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/extended.h"
 #include "tests/support/model_view.h"

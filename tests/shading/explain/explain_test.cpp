@@ -13,7 +13,6 @@
 #include "depthsort/oracle.h"
 #include "shading/explain/explain.h"
 #include "shading/explain/pixel_history.h"
-#include "shading/explain/rounded_terms.h"
 #include "shading/explain/term_values.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/seeds.h"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "shading/figure/edge_strokes.h"
-#include "shading/figure/hiding_polygons.h"
 #include "shading/figure/make_figure.h"
+#include "shading/figure/side_table.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene.h"
 #include "shading/scene/scene_file.h"

@@ -11,7 +11,6 @@
 #include "shading/fill/reflect.h"
 #include "shading/light/depth_shading.h"
 #include "shading/light/equation.h"
-#include "shading/light/mistake.h"
 #include "tests/support/illuminate.h"
 #include "tests/support/seeds.h"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "geometry/exact/power.h"
+#include "geometry/exact/scale.h"
 #include "geometry/exact/trig.h"
 #include "geometry/model/solids.h"
 #include "shading/fill/environment.h"

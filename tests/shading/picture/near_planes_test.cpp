@@ -10,7 +10,7 @@
 
 #include "geometry/files/obj.h"
 #include "geometry/model/solids.h"
-#include "shading/laboratory/exactness.h"
+#include "shading/laboratory/errors.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene.h"
 #include "tests/support/model_view.h"

@@ -12,7 +12,7 @@
 #include "depthsort/oracle.h"
 #include "geometry/exact/give_up.h"
 #include "geometry/model/solids.h"
-#include "shading/laboratory/exactness.h"
+#include "shading/laboratory/errors.h"
 #include "shading/picture/picture.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/units.h"

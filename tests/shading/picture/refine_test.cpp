@@ -9,10 +9,10 @@
 #include <tuple>
 #include <vector>
 
+#include "geometry/exact/scale.h"
 #include "geometry/exact/trig.h"
-#include "geometry/exact/unit.h"
 #include "geometry/model/solids.h"
-#include "shading/laboratory/exactness.h"
+#include "shading/laboratory/errors.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/refine.h"
 #include "shading/scene/picture_settings.h"

@@ -10,7 +10,7 @@
 #include "shading/fill/intensities.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/required.h"
-#include "shading/picture/surface_values.h"
+#include "shading/picture/surface_evaluator.h"
 #include "shading/scene/scene_file.h"
 #include "shading/scene/units.h"
 #include "shading/trade/measure.h"

@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "shading/laboratory/exactness.h"
+#include "shading/laboratory/errors.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/units.h"
 #include "shading/trade/measure.h"

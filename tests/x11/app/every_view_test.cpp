@@ -9,7 +9,7 @@
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/app/key_lists.h"
 #include "x11/stepper/sort_view.h"
-#include "x11/window/drawer.h"
+#include "x11/window/layout.h"
 
 namespace xnewell::THIS_FILE {
 

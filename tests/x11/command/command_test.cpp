@@ -7,7 +7,7 @@
 #include <span>
 #include <sstream>
 
-#include "shading/laboratory/exactness.h"
+#include "shading/laboratory/errors.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/seeds.h"
 #include "tests/x11/support/command_fixture.h"

@@ -12,11 +12,11 @@
 #include "tests/x11/support/parsed_options.h"
 #include "tests/x11/support/story_text.h"
 #include "tests/x11/support/x_server.h"
-#include "x11/app/ready_scene.h"
+#include "x11/app/lecture.h"
 #include "x11/app/workbench.h"
 #include "x11/command/read_lecture.h"
 #include "x11/lessons/lesson.h"
-#include "x11/options/window_place.h"
+#include "x11/options/options.h"
 
 namespace xnewell::THIS_FILE {
 

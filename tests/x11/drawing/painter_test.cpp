@@ -10,7 +10,6 @@
 #include <string_view>
 #include <utility>
 
-#include "x11/drawing/labels.h"
 #include "x11/drawing/painter.h"
 #include "x11/drawing/wording.h"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <set>
 
-#include "x11/kit/control_list.h"
+#include "x11/kit/control.h"
 #include "x11/kit/key_table.h"
 #include "x11/kit/page.h"
-#include "x11/kit/typed_number.h"
+#include "x11/kit/typed_line.h"
 
 namespace xnewell::THIS_FILE {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/files/data_folder.h"
 #include "geometry/files/input_file.h"
+#include "geometry/files/model_file.h"
 #include "geometry/files/output_file.h"
 #include "geometry/files/text_file.h"
 #include "shading/color/png.h"

@@ -5,9 +5,9 @@
 
 #include "shading/picture/picture_cache.h"
 #include "x11/stepper/frames.h"
-#include "x11/stepper/outline.h"
-#include "x11/stepper/so_far.h"
+#include "x11/stepper/sort_picture.h"
 #include "x11/stepper/sort_run.h"
+#include "x11/stepper/sort_state.h"
 
 namespace xnewell::THIS_FILE {
 

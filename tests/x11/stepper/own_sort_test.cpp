@@ -11,8 +11,8 @@
 #include "depthsort/order.h"
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
-#include "shading/diagnose/paint_steps.h"
-#include "shading/laboratory/exactness.h"
+#include "shading/diagnose/judge_order.h"
+#include "shading/laboratory/errors.h"
 #include "tests/support/seeds.h"
 #include "tests/support/student_sort.h"
 #include "tests/support/student_world.h"
@@ -23,8 +23,8 @@
 #include "x11/command/commands.h"
 #include "x11/drawing/wording.h"
 #include "x11/options/shell_words.h"
-#include "x11/stepper/fragment_tint.h"
 #include "x11/stepper/own_sort.h"
+#include "x11/stepper/sort_picture.h"
 #include "x11/stepper/sort_wording.h"
 
 namespace xnewell::THIS_FILE {

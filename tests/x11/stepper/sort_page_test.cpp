@@ -9,17 +9,16 @@
 #include <set>
 
 #include "shading/color/font.h"
-#include "shading/diagnose/paint_steps.h"
+#include "shading/diagnose/judge_order.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/seeds.h"
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/drawing/painter.h"
 #include "x11/drawing/wording.h"
-#include "x11/stepper/outline.h"
-#include "x11/stepper/sort_code.h"
 #include "x11/stepper/sort_layout.h"
 #include "x11/stepper/sort_page.h"
+#include "x11/stepper/sort_picture.h"
 #include "x11/stepper/sort_wording.h"
 
 namespace xnewell::THIS_FILE {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "shading/color/font.h"
-#include "shading/color/index_image.h"
+#include "shading/color/images.h"
 #include "x11/drawing/painter.h"
 
 namespace xnewell {

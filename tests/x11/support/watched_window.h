@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "shading/color/rgb_image.h"
+#include "shading/color/images.h"
 #include "tests/x11/support/x_server.h"
-#include "x11/drawing/rect.h"
+#include "x11/drawing/painter.h"
 
 #include <X11/Xlib.h>
 

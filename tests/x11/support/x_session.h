@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "shading/color/index_image.h"
+#include "shading/color/images.h"
 #include "tests/x11/support/x_server.h"
 
 #include "x11/server/colormap.h"

@@ -12,10 +12,8 @@
 #include "tests/support/seeds.h"
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/views/cell_facts.h"
-#include "x11/views/color_strip.h"
 #include "x11/views/colors_page.h"
 #include "x11/views/plot.h"
-#include "x11/views/table_curves.h"
 
 namespace xnewell::THIS_FILE {
 

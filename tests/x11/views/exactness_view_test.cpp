@@ -12,7 +12,6 @@
 #include "tests/support/model_view.h"
 #include "x11/views/difference.h"
 #include "x11/views/exactness_view.h"
-#include "x11/views/overdraw.h"
 #include "x11/views/wireframe.h"
 
 namespace xnewell::THIS_FILE {

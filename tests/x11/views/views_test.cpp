@@ -9,9 +9,8 @@
 #include "shading/picture/picture_cache.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/seeds.h"
-#include "x11/drawing/rect.h"
-#include "x11/views/normals_view.h"
-#include "x11/views/terms_view.h"
+#include "x11/drawing/painter.h"
+#include "x11/views/exactness_view.h"
 #include "x11/views/views.h"
 #include "x11/views/wireframe.h"
 

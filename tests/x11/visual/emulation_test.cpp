@@ -11,7 +11,6 @@
 
 #include "shading/color/color_difference.h"
 #include "tests/support/masks.h"
-#include "x11/visual/tool_colors.h"
 
 namespace xnewell::THIS_FILE {
 
