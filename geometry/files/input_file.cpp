@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <filesystem>
 #include <mutex>
 #include <new>
 #include <system_error>
@@ -43,10 +42,16 @@ InputFile openInput(const std::string& file) {
   return input;
 }
 
-void rememberInput(const std::string& file) {
+void rememberInput(const std::string& file) try {
   std::string place = placeOf(file);
   const std::scoped_lock lock{inputsLock};
   inputPlaces.insert(std::move(place));
+} catch (const std::system_error&) {  // links in a circle lead to no file
+}
+
+bool isThere(const std::filesystem::path& file) {
+  std::error_code none;
+  return std::filesystem::exists(file, none);
 }
 
 std::set<std::string> inputs() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <set>
 #include <string>
@@ -18,6 +19,9 @@ using InputFile = std::unique_ptr<std::FILE, CloseFile>;
 /// no end.
 /// @throws std::system_error `FILE: No such file or directory`; ParseError `FILE: not a regular file`
 [[nodiscard]] InputFile openInput(const std::string& file);
+
+/// True if there is such a file or folder. A name that the system refuses names none.
+[[nodiscard]] bool isThere(const std::filesystem::path& file);
 
 /// Remembers a file that the program is going to read.
 void rememberInput(const std::string& file);

@@ -13,6 +13,7 @@
 
 #include "geometry/exact/plane.h"
 #include "geometry/exact/scale.h"
+#include "geometry/files/input_file.h"
 #include "geometry/files/model_file.h"
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
@@ -31,7 +32,7 @@ std::filesystem::path fileOfBuiltIn(const std::string& name) {
   if (name == "teapot") return dataFolder() / "teapot.bpt";
   if (name.empty() || name.find_first_of("./") != std::string::npos) return {};
   const std::filesystem::path file = dataFolder() / "scenes" / (name + ".json");
-  return std::filesystem::exists(file) ? file : std::filesystem::path{};
+  return isThere(file) ? file : std::filesystem::path{};
 }
 
 bool isGray(const glm::dvec3& color) { return color.r == color.g && color.g == color.b; }
@@ -171,10 +172,10 @@ Scene readAny(const std::string& nameOrFile, int divisions) {
     scene.name = nameOrFile;
     return scene;
   }
-  if (std::filesystem::is_directory(file))
+  if (std::error_code none; std::filesystem::is_directory(file, none))
     throw std::system_error{EISDIR, std::generic_category(), nameOrFile};
   throw ParseError{nameOrFile, 0,
-                   !std::filesystem::exists(file) && extension.empty()
+                   !isThere(file) && extension.empty()
                        ? "there is no built-in scene of that name; " +
                              didYouMean(nameOrFile, namesOf(builtInScenes()), "`xnewell scenes` lists them")
                        : "not a scene file: scenes are .json files and models: " + modelExtensions()};

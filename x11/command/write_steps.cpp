@@ -130,7 +130,7 @@ Lesson lessonNamed(const std::string& nameOrFile) {
   for (const LessonEntry& entry : builtInLessons())
     if (entry.name == nameOrFile) return readLesson(entry.file);
   const std::filesystem::path file{nameOrFile};
-  if (file.extension() == ".json" && std::filesystem::exists(file)) return readLesson(file);
+  if (file.extension() == ".json" && isThere(file)) return readLesson(file);
   std::vector<std::string> names;
   for (const LessonEntry& entry : builtInLessons()) names.push_back(entry.name);
   throw UsageError{"there is no lesson " + inQuotes(nameOrFile) + "; " +

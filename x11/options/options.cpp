@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/files/input_file.h"
 #include "geometry/files/text_file.h"
 #include "shading/scene/settings.h"
 #include "x11/options/exit_status.h"
@@ -369,7 +370,7 @@ Command takeCommand(std::vector<std::string>& arguments) {
     const bool meansScene = command != Command::Lesson && command != Command::Lecture;
     const CLI::Option* const words = app.get_option("scene");
     const std::string scene = words->count() > 0 ? words->results().front() : Options{}.scene;
-    if (!option && meansScene && !isBuiltIn(scene) && !std::filesystem::exists(scene))
+    if (!option && meansScene && !isBuiltIn(scene) && !isThere(scene))
       throw UsageError{inQuotes(scene) + ": not a command, a built-in scene or a file; " +
                        didYouMean(scene, commandsAndScenes(), "`xnewell --help` lists the commands")};
     if (!option) throw UsageError{"unexpected argument: " + inQuotes(extra.front())};

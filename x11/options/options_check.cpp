@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/files/input_file.h"
 #include "geometry/files/text_file.h"
 #include "shading/figure/write_figure.h"
 #include "shading/scene/settings.h"
@@ -165,7 +166,7 @@ void checkWords(const Options& o) {
   if (given && o.scene.empty()) throw UsageError{"the scene's name is empty"};
   if (!given && o.gave("--run")) throw UsageError{"--run needs the scene of that run, such as cycle"};
   const std::filesystem::path path{o.scene};
-  if (o.commandMeant && !isBuiltIn(o.scene) && path.extension().empty() && !std::filesystem::exists(path))
+  if (o.commandMeant && !isBuiltIn(o.scene) && path.extension().empty() && !isThere(path))
     throw UsageError{o.scene + ": not a command or a built-in scene; " +
                      didYouMean(o.scene, commandsAndScenes(),
                                 "`xnewell --help` lists the commands, `xnewell scenes` the scenes")};
