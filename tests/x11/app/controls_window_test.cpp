@@ -97,8 +97,9 @@ class TwinWindow {
   /// Compares these parts. The bands around the body tell times and facts of the server.
   [[nodiscard]] bool agrees() {
     finish();
-    return std::ranges::all_of(
-        timeless(), [&](const Rect& part) { return window.comesToShow(onScreen(same.image(), same.palette(), part), part); });
+    return std::ranges::all_of(timeless(), [&](const Rect& part) {
+      return window.comesToShow(onScreen(same.image(), same.palette(), part), part);
+    });
   }
 
   const int unit;  ///< pixels
