@@ -6,7 +6,7 @@
 
 #include "tests/x11/support/x_server.h"
 
-#include "x11/app/surface.h"
+#include "x11/app/server.h"
 
 namespace xnewell {
 

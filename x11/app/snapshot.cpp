@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "shading/picture/shared.h"
-#include "x11/app/surface.h"
+#include "x11/app/server.h"
 #include "x11/app/workbench.h"
 #include "x11/options/option_rows.h"
 #include "x11/options/setup_command.h"

@@ -13,9 +13,10 @@
 #include <utility>
 
 #include "shading/picture/shared.h"
+#include "x11/app/long_work.h"
+#include "x11/app/server.h"
 #include "x11/app/snapshot.h"
 #include "x11/app/surface.h"
-#include "x11/app/work.h"
 #include "x11/server/canvas.h"
 #include "x11/server/colormap.h"
 #include "x11/server/display.h"

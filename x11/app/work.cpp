@@ -1,12 +1,9 @@
 #include "x11/app/work.h"
 
-#include <atomic>
 #include <filesystem>
-#include <future>
 #include <utility>
 
 #include "geometry/exact/box.h"
-#include "geometry/exact/give_up.h"
 #include "geometry/files/input_file.h"
 #include "geometry/files/output_file.h"
 #include "shading/scene/divide_anew.h"
@@ -63,21 +60,6 @@ PictureSettings coarse(PictureSettings settings) {
   settings.adapt = 0;
   settings.dither = false;
   return settings;
-}
-
-void doPatiently(const std::function<void()>& work, const std::function<bool(int seconds)>& meanwhile) {
-  using namespace std::chrono;
-  constexpr milliseconds kTick{100};
-  const auto start = steady_clock::now();
-  std::atomic<bool> giveUp = false;
-  std::future<void> done = std::async(std::launch::async | std::launch::deferred, [&] {
-    const MayGiveUp once{[&] { return giveUp.exchange(false); }};
-    work();
-  });
-  for (milliseconds wait = kPatience; done.wait_for(wait) == std::future_status::timeout; wait = kTick)
-    if (meanwhile(static_cast<int>(duration_cast<seconds>(steady_clock::now() - start).count())))
-      giveUp = true;
-  done.get();
 }
 
 }  // namespace xnewell

@@ -1,4 +1,4 @@
-#include "x11/app/work.h"
+#include "x11/app/long_work.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
