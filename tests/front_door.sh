@@ -76,9 +76,19 @@ figure_sums='
     done
   done'
 
+# The milliseconds for one fixed file, compiled once for each processor at the same time. A multiple of them says more
+# about the build than seconds do, on a slow or busy machine.
+# shellcheck disable=SC2016  # these are variables of the inner shell
+fixed_file='
+  printf "%s\n" "#include <regex>" "bool b(const char* s) { return std::regex_match(s, std::regex{\"a*b\"}); }" >/tmp/f.cpp
+  start=$(date +%s%N)
+  for ((k = $(nproc); k; --k)); do g++ -std=c++20 -O3 -c /tmp/f.cpp -o "/tmp/f$k.o" & done
+  wait
+  echo $((($(date +%s%N) - start) / 1000000))'
+
 # front_door RELEASE: succeeds if the commands succeed in that release.
 front_door() {
-  local copy=$roots/debian-$1-copy home=/root run=(bash -c) log=$root/build/front-door-$1.log command start
+  local copy=$roots/debian-$1-copy home=/root run=(bash -c) log=$root/build/front-door-$1.log command start built fixed
   [[ $user == root ]] || home=/home/$user run=(su --login "$user" --command)
   if ! prepare "$1" "$copy" "$home"; then
     say "Debian $1: the copy of the bare root could not be prepared"
@@ -94,6 +104,9 @@ front_door() {
     fi
     say "Debian $1, as $user: $command succeeded in $((SECONDS - start)) s"
   done
+  fixed=$(inside "$copy" "${run[@]}" "$fixed_file") &&
+    built=$(sed -n 's/.*building build.release: done in \([0-9]*\) s.*/\1/p;T;q' "$log") &&
+    say "Debian $1: building took $built s, $((1000 * built / fixed)) times one fixed file"
   if ! inside "$copy" "${run[@]}" "cd $home/xnewell && $every_command" >&2; then
     say "Debian $1, as $user: a command cannot read its options; the root is $copy"
     return 1
