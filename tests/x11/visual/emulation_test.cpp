@@ -77,48 +77,35 @@ TEST(OfferedColors, NearestOfAList) {
 }
 
 // With channels, the nearest colour has in each channel the nearest level that its bits can hold, in any
-// layout. Bits of no channel are those of an opaque pixel.
-TEST(OfferedColors, NearestOfAllLevels) {
+// layout. Bits of no channel are those of an opaque pixel. Around a colour are the nearest one and, in each
+// channel, two levels on either side of it, as far as there are any. Each of them is a colour on offer.
+TEST(OfferedColors, NearestAndNextOfAllLevels) {
   for (const ChannelMasks& masks : kLayouts) {
     SCOPED_TRACE(masks.red);
     constexpr unsigned long kOpaque = 0xFF000000;
     const OfferedColors offered = allOf(masks, kOpaque);
-    for (int v = -50; v < 300; ++v) {
-      const glm::ivec3 target{v, 250 - v, (v * 7) % 256};
-      const OfferedColor got = offered.nearest(target);
-      EXPECT_EQ(got.pixel & ~(masks.red | masks.green | masks.blue), kOpaque);
-      for (int c = 0; c < 3; ++c) {
-        const std::map<unsigned long, int> all = levels(channels(masks)[c]);
-        int least = 1000;
-        for (const auto& [bits, shows] : all) least = std::min(least, std::abs(shows - target[c]));
-        ASSERT_EQ(all.at(got.pixel & channels(masks)[c]), got.color[c]);
-        ASSERT_EQ(std::abs(got.color[c] - target[c]), least) << v << ' ' << c;
-      }
-    }
-  }
-}
-
-// Around a colour are the nearest one and, in each channel, two levels on either side of it, as far as there
-// are any. Each of them is a colour on offer.
-TEST(OfferedColors, AroundAreTheNextLevels) {
-  for (const ChannelMasks& masks : kLayouts) {
-    SCOPED_TRACE(masks.red);
-    const OfferedColors offered = allOf(masks);
     std::size_t all = 1;
     for (const unsigned long mask : channels(masks)) all *= levels(mask).size();
     EXPECT_EQ(offered.size(), all);
-    for (int v = 0; v < 256; v += 5) {
-      const glm::ivec3 target{v, 255 - v, (v * 7) % 256};
+    for (int v = -50; v < 300; ++v) {
+      const glm::ivec3 target{v, 250 - v, (v * 7) % 256};
+      const OfferedColor got = offered.nearest(target);
       const std::vector<OfferedColor> around = offered.around(target);
+      EXPECT_EQ(got.pixel & ~(masks.red | masks.green | masks.blue), kOpaque);
       for (int c = 0; c < 3; ++c) {
+        const std::map<unsigned long, int> bits = levels(channels(masks)[c]);
         std::vector<int> shown;
-        for (const auto& [bits, shows] : levels(channels(masks)[c])) shown.push_back(shows);
-        const auto at = std::ranges::find(shown, offered.nearest(target).color[c]);
-        const auto from = at - std::min<std::ptrdiff_t>(2, at - shown.begin());
-        const auto to = at + std::min<std::ptrdiff_t>(3, shown.end() - at);
+        for (const auto& [pixel, shows] : bits) shown.push_back(shows);
+        const auto at = std::ranges::find(shown, got.color[c]);
+        int least = 1000;
+        for (const int level : shown) least = std::min(least, std::abs(level - target[c]));
+        ASSERT_EQ(bits.at(got.pixel & channels(masks)[c]), got.color[c]);
+        ASSERT_EQ(std::abs(got.color[c] - target[c]), least) << v << ' ' << c;
         std::set<int> seen;
         for (const OfferedColor& color : around) seen.insert(color.color[c]);
-        ASSERT_EQ(seen, std::set(from, to)) << v << ' ' << c;
+        const std::set<int> next(at - std::min<std::ptrdiff_t>(2, at - shown.begin()),
+                                 at + std::min<std::ptrdiff_t>(3, shown.end() - at));
+        ASSERT_EQ(seen, next) << v << ' ' << c;
       }
       for (const OfferedColor& color : around)
         ASSERT_EQ(offered.nearest(color.color).pixel, color.pixel) << v;
