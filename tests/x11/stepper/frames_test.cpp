@@ -13,27 +13,6 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-PictureSettings viewOf(const Scene& scene, int width, int height) {
-  PictureSettings settings;
-  settings.width = width;
-  settings.height = height;
-  settings.camera = completed({}, scene.camera);
-  return settings;
-}
-
-/// A scene at its own camera, and its recorded run.
-struct Recorded {
-  Picture picture;
-  SortedScene sorted;
-
-  Recorded(const Scene& scene, int width, int height, bool textbook = true)
-      : picture{makePicture(scene, viewOf(scene, width, height)).withPlanes()} {
-    SortSettings sort{width, height, textbook};
-    sort.record = true;
-    sorted = depthSort(picture.snapped(), sort);
-  }
-};
-
 constexpr int kSize = 32;
 
 int count(const IndexImage& image, std::uint8_t cell) {
@@ -42,21 +21,6 @@ int count(const IndexImage& image, std::uint8_t cell) {
 
 }  // namespace
 
-// A frame looks the same whether its step is reached forward, backward or directly.
-TEST(Frames, DoNotDependOnTheWayThere) {
-  const Recorded run{readScene("nested-cycles"), 200, 150};
-  const std::vector<int> steps = stepsOf(run.sorted, Every::Step);
-  ASSERT_EQ(steps.size(), run.sorted.events.size());
-  Frames frames{run.picture, run.sorted, true, steps};
-  std::vector<IndexImage> forward;
-  for (const int step : steps) forward.push_back(frames.at(step));
-  const IndexImage finished = frames.finished();
-  for (const int step : {138, 100, 99, 60, 3, 77, 1}) EXPECT_EQ(frames.at(step), forward[step - 1]) << step;
-  EXPECT_EQ(frames.finished(), finished);
-  const auto differs = [&](int step) { return forward[step] != forward[step - 1]; };
-  for (int step = 1; step < std::ssize(forward); ++step) EXPECT_TRUE(differs(step)) << step;
-}
-
 // No word reaches into the margin of the strip, for any names and for narrow frames, so no word is cut off.
 // Outlines stay in the picture.
 TEST(Frames, NothingIsCutOff) {
@@ -64,9 +28,15 @@ TEST(Frames, NothingIsCutOff) {
   scene.mesh.groupNames = {std::string(100, 'W'), "a name of many words that goes on and on",
                            "\xC3\xA4\xC3\xB6\xC3\xBC"};
   for (const int width : {1, 64, 320, 1600, 1700}) {
-    const Recorded run{scene, width, 64};
-    const std::vector<int> steps = stepsOf(run.sorted, Every::Step);
-    Frames frames{run.picture, run.sorted, true, steps};
+    PictureSettings settings;
+    settings.width = width, settings.height = 64;
+    settings.camera = completed({}, scene.camera);
+    const Picture picture = makePicture(scene, settings).withPlanes();
+    SortSettings sort{width, 64, true};
+    sort.record = true;
+    const SortedScene sorted = depthSort(picture.snapped(), sort);
+    const std::vector<int> steps = stepsOf(sorted, Every::Step);
+    Frames frames{picture, sorted, true, steps};
     const CellPlan plan;
     std::int64_t ink = 0;
     for (const int step : steps) {

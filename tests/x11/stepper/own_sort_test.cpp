@@ -83,6 +83,11 @@ struct Sorting : Stepper {
     const CornerCounts counts = run().explainer().corners(P, Q);
     return counts.inFront > 0 && counts.behind > 0;
   }
+  /// Chooses P and paints it.
+  void paint(int id) {
+    chooseP(id);
+    press("p");
+  }
   /// What the file that `o` writes holds.
   std::vector<PaintStep> written(const std::string& file) {
     press("o");
@@ -105,8 +110,7 @@ void sortByTruth(Sorting& s, unsigned seed) {
       return std::ranges::none_of(all, [&](int R) { return R != P && s.hides(P, R); });
     };
     if (const auto P = std::ranges::find_if(all, isFree); P != all.end()) {
-      s.chooseP(*P);
-      s.press("p");
+      s.paint(*P);
       continue;
     }
     bool cut = false;
@@ -180,10 +184,7 @@ TEST(OwnSort, AWrongOrderIsJudgedAlike) {
   std::vector<int> order = paintingOrder(s.run().scene(), Order::ZMean);
   const std::vector<int> all = s.left();
   std::erase_if(order, [&](int f) { return std::ranges::find(all, f) == all.end(); });
-  for (const int face : order) {
-    s.chooseP(face);
-    s.press("p");
-  }
+  for (const int face : order) s.paint(face);
   const OrderReport window = s.bench.ownReport();
   ASSERT_TRUE(window.first);
   EXPECT_LT(s.own().score.right, s.own().score.asked);
@@ -210,8 +211,7 @@ TEST(OwnSort, PaintingTooEarlySpoilsThePicture) {
   const std::vector<int> all = s.left();
   ASSERT_EQ(all.size(), 2u);
   const int P = s.hides(all[0], all[1]) ? all[0] : all[1];
-  s.chooseP(P);
-  s.press("p");
+  s.paint(P);
   s.draw();
   EXPECT_EQ(s.own().score, (Score{0, 1}));
   EXPECT_TRUE(s.own().alarm);
@@ -344,39 +344,6 @@ TEST(OwnSort, TakingBackRestoresThePicture) {
   EXPECT_EQ(s.notices.back(), "There is no step to take back.");
 }
 
-// The program's sort is there again when the student ends; what the student did is kept meanwhile, also while
-// the picture is shaded otherwise. Another view of the scene begins again, and says so.
-TEST(OwnSort, ComesAndGoes) {
-  Sorting s{"cycle"};
-  s.press("pp");
-  const IndexImage mine = s.draw();
-  s.press("Y");
-  EXPECT_FALSE(s.bench.view().own);
-  EXPECT_EQ(s.step(), 0);
-  EXPECT_GT(s.run().steps(), 4);
-  s.press("Y");
-  EXPECT_EQ(s.bench.own()->steps(s.run()).size(), 2u);
-  s.wanted.picture.shading = Shading::Gouraud;
-  s.draw();
-  EXPECT_EQ(s.bench.own()->steps(s.run()).size(), 2u);
-  s.bench.leave();
-  s.press("o");  // it waits until there is a run again
-  s.draw();
-  EXPECT_EQ(s.bench.own()->steps(s.run()).size(), 2u);
-  ASSERT_EQ(s.questions.size(), 1u);
-  EXPECT_EQ(s.questions.back().text, "order.jsonl");
-  s.press(NamedKey::Home);
-  s.draw();
-  EXPECT_EQ(s.own().bold, "Nothing is painted yet.");
-  s.press("p");
-  EXPECT_EQ(s.notices.back(), "This is an earlier step of your sort; End goes on with it.");
-  s.press(NamedKey::End);
-  s.wanted.picture.camera.eye = glm::dvec3{1, 2, 9};
-  s.draw();
-  EXPECT_EQ(s.bench.own()->steps(s.run()).size(), 0u);
-  EXPECT_EQ(s.notices.back(), "The polygons have other places now, so your sort begins again.");
-}
-
 // A click on a row of the tests names that test, as `t` and its digit do, also after other steps. Nothing
 // else happens: the run is not left for another step.
 TEST(OwnPage, AClickOnATestNamesIt) {
@@ -489,10 +456,7 @@ TEST(TheirRun, AnyLinesCanBeStepped) {
     ++stepped;
     for (int k = 0; k < 6; ++k) {
       s.goTo(static_cast<int>(random() % (s.run().steps() + 1)));
-      s.press("j");
-      s.draw();
-      s.press("J");
-      s.draw();
+      for (const char* const jump : {"j", "J"}) s.press(jump), s.draw();
     }
   }
   EXPECT_GE(stepped, 40);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,10 +14,20 @@
 
 namespace xnewell {
 
+/// The sizes of windows that lessons are tried in.
+inline constexpr std::array kSizes{glm::ivec2{800, 540}, glm::ivec2{800, 600}, glm::ivec2{1024, 768},
+                                   glm::ivec2{1600, 1200}};
+
 /// A window with one view, the lessons, and without bands.
 class LessonWindow : public QuietHost {
  public:
   explicit LessonWindow(glm::ivec2 size = {1024, 768}) : layout{layoutOf(size.x, size.y)} {}
+  /// The lesson has begun.
+  explicit LessonWindow(const std::string& lesson, glm::ivec2 size = {1024, 768}) : LessonWindow{size} {
+    bench.enter();
+    bench.start(readLesson(XNEWELL_DATA_DIR "/lessons/" + lesson + ".json"));
+    draw();
+  }
 
   void open(Scene scene, const Setup& s) override {
     pictures.emplace(std::move(scene));
@@ -49,6 +61,16 @@ class LessonWindow : public QuietHost {
   }
   bool press(char letter) { return press(Key{NamedKey::Letter, letter}); }
   bool press(NamedKey name) { return press(Key{name}); }
+  void goTo(int step) {
+    bench.goTo(step);
+    draw();
+  }
+  void answer(char letter) {
+    press(letter);
+    press(NamedKey::Return);
+    draw();
+  }
+  [[nodiscard]] const std::vector<LessonStep>& steps() const { return bench.lesson()->steps; }
 
   const IndexImage& draw() {
     const Rect at = bench.picture(layout);
@@ -81,41 +103,38 @@ class LessonWindow : public QuietHost {
   xnewell::Setup setup_, first_;
 };
 
-/// A window in which the lesson has begun.
-inline void begin(LessonWindow& window, const std::string& name) {
-  window.bench.enter();
-  window.bench.start(readLesson(std::string{XNEWELL_DATA_DIR} + "/lessons/" + name + ".json"));
-  window.draw();
-}
-
+/// Visits a window for each lesson, which has begun.
 template <class Visit>
-void forEachLesson(Visit&& visit) {
+void forEachLesson(Visit&& visit, glm::ivec2 size = {1024, 768}) {
   for (const LessonEntry& entry : builtInLessons()) {
     SCOPED_TRACE(entry.name);
-    visit(entry.name);
+    LessonWindow window{entry.name, size};
+    visit(window);
   }
 }
 
-/// Visits every state of every step: as it appears first, with a hint, and with each answer given.
+/// Visits every state of every step of every lesson: as it appears first, with a hint, and with each answer
+/// given.
 template <class Visit>
-void forEachState(LessonWindow& window, Visit&& visit) {
-  for (int step = 0; step < static_cast<int>(window.bench.lesson()->steps.size()); ++step) {
-    window.bench.goTo(step);
-    const std::string place = "step " + std::to_string(step + 1);
-    window.draw();
-    visit(place);
-    const auto& question = window.bench.lesson()->steps[static_cast<std::size_t>(step)].question;
-    if (!question) continue;
-    window.press('h');
-    window.draw();
-    visit(place + ", hint");
-    for (std::size_t k = 0; k < question->answers.size(); ++k) {
-      window.press(static_cast<char>('a' + k));
-      window.press(NamedKey::Return);
+void forEachState(Visit&& visit, glm::ivec2 size = {1024, 768}) {
+  const auto states = [&](LessonWindow& window) {
+    for (int step = 0; step < std::ssize(window.steps()); ++step) {
+      SCOPED_TRACE("step " + std::to_string(step + 1));
+      window.goTo(step);
+      visit(window);
+      const auto& question = window.steps()[step].question;
+      if (!question) continue;
+      window.press('h');
       window.draw();
-      visit(place + ", answer " + std::to_string(k));
+      visit(window);
+      for (std::size_t k = 0; k < question->answers.size(); ++k) {
+        SCOPED_TRACE("answer " + std::to_string(k));
+        window.answer(static_cast<char>('a' + k));
+        visit(window);
+      }
     }
-  }
+  };
+  forEachLesson(states, size);
 }
 
 }  // namespace xnewell
