@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -243,25 +244,16 @@ TEST(Wording, BreaksAtSpaces) {
 }
 
 TEST(Wording, WritesNumbers) {
-  EXPECT_EQ(fixed(0.00416, 4), "0.0042");
-  EXPECT_EQ(fixed(-0.00001, 4), "0.0000");
-  EXPECT_EQ(fixed(-0.5, 1), "-0.5");
-  EXPECT_EQ(msText(12.345), "12.35");
-  EXPECT_EQ(msText(1), "1.00");
-  EXPECT_EQ(msText(0.5), "0.500");
-  EXPECT_EQ(msText(0.1), "0.100");
-  EXPECT_EQ(msText(0.012345), "0.0123");
-  EXPECT_EQ(msText(0.00101), "0.00101");
-  EXPECT_EQ(msText(1e-6), "0.000001");
-  EXPECT_EQ(msText(0), "0.00");
-  EXPECT_EQ(grouped(0), "0");
-  EXPECT_EQ(grouped(999), "999");
-  EXPECT_EQ(grouped(1000), "1,000");
-  EXPECT_EQ(grouped(-123456), "-123,456");
-  EXPECT_EQ(grouped(1234567), "1,234,567");
-  EXPECT_EQ(counted(0, "cut"), "no cuts");
-  EXPECT_EQ(counted(1, "cut"), "1 cut");
-  EXPECT_EQ(counted(1200, "cut"), "1,200 cuts");
+  EXPECT_THAT((std::array{fixed(0.00416, 4), fixed(-0.00001, 4), fixed(-0.5, 1)}),
+              testing::ElementsAre("0.0042", "0.0000", "-0.5"));
+  EXPECT_THAT(
+      (std::array{msText(12.345), msText(1), msText(0.5), msText(0.1), msText(0.012345), msText(0.00101),
+                  msText(1e-6), msText(0)}),
+      testing::ElementsAre("12.35", "1.00", "0.500", "0.100", "0.0123", "0.00101", "0.000001", "0.00"));
+  EXPECT_THAT((std::array{grouped(0), grouped(999), grouped(1000), grouped(-123456), grouped(1234567)}),
+              testing::ElementsAre("0", "999", "1,000", "-123,456", "1,234,567"));
+  EXPECT_THAT((std::array{counted(0, "cut"), counted(1, "cut"), counted(1200, "cut")}),
+              testing::ElementsAre("no cuts", "1 cut", "1,200 cuts"));
 }
 
 }  // namespace xnewell::THIS_FILE

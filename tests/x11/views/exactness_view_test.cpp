@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "depthsort/fragment_spans.h"
@@ -9,7 +10,7 @@
 #include "geometry/model/solids.h"
 #include "shading/laboratory/ground_truth.h"
 #include "shading/picture/picture_cache.h"
-#include "tests/support/model_view.h"
+#include "tests/x11/support/ready_workbench.h"
 #include "x11/views/difference.h"
 #include "x11/views/exactness_view.h"
 #include "x11/views/wireframe.h"
@@ -42,8 +43,7 @@ Exactness ofSheets(double left, double right, Order order, IndexImage* map = nul
   PictureCache pictures{makeScene("sheets", mesh, UpAxis::Y)};
   PictureSettings s = fromAbove(order);
   s.cull = Cull::Keep, s.camera.height = 2.0;
-  pictures.make(s);
-  const std::vector<SampleCheck> verdicts = checkedSamples(pictures.last());
+  const std::vector<SampleCheck> verdicts = checkedSamples(pictures.make(s));
   if (map) *map = verdictImage(verdicts, 100, CellPlan{});
   return exactnessOf(verdicts);
 }
@@ -73,8 +73,7 @@ Scene squares(const std::vector<glm::dvec3>& centres) {
 
 PictureSettings small(Shading shading) {
   PictureSettings s;
-  s.width = 200;
-  s.height = 150;
+  s.width = 200, s.height = 150;
   s.shading = shading;
   return s;
 }
@@ -115,6 +114,7 @@ bool isDash(std::uint8_t cell) {
   const CellPlan plan;
   return cell == plan[Cell::White] || cell == plan[Cell::Soft];
 }
+auto dashesIn(const Wireframe& wires) { return std::ranges::count_if(wires.image.pixels, isDash); }
 
 }  // namespace
 
@@ -194,11 +194,8 @@ TEST(ExactnessView, RingsFindSingleSamples) {
   EXPECT_EQ(image.row(52)[47], plan[Cell::Alarm]);
   EXPECT_EQ(image.row(290)[390], plan[Cell::Alarm]);
   EXPECT_EQ(image.row(100)[200], plan[Cell::Q]);
-  const auto whiteIn = [&](const Rect& part) {
-    int white = 0;
-    for (int j = part.y; j < part.y + part.height; ++j)
-      for (int i = part.x; i < part.x + part.width; ++i) white += image.row(j)[i] == plan[Cell::White];
-    return white;
+  const auto whiteIn = [&](const Rect& r) {
+    return std::ranges::count(partOf(image, r).pixels, plan[Cell::White]);
   };
   EXPECT_GT(whiteIn({25, 35, 40, 35}), 60);
   EXPECT_GT(whiteIn({370, 270, 30, 30}), 40);
@@ -229,38 +226,13 @@ TEST(ExactnessView, FindingIsOfTheNumbers) {
   EXPECT_NE(wrong.why.find("At 2 samples two faces"), std::string::npos);
 }
 
-// A worked example: three squares of 20 x 20 pixels, each covering a quarter of the one before. Each has 400
-// samples. The first two share 100 samples, the last two share 100, and no sample is in all three.
-TEST(Overdraw, OfOverlappingSquaresIsCounted) {
-  PictureCache pictures{squares({{-1, -1, 0}, {0, 0, 1}, {1, 1, 2}})};
-  pictures.make(fromAbove(Order::ZSort));
-  const Overdraw o = overdrawOf(pictures.last());
-  EXPECT_EQ(o.painted, 1200);
-  EXPECT_EQ(o.samples, 1000);
-  EXPECT_EQ(o.once, 800);
-  EXPECT_EQ(o.most, 2);
-  EXPECT_DOUBLE_EQ(o.mean(), 1.2);
-  // The first two overlap in x, y in [-1, 0]: pixels 40 to 49 across, 50 to 59 down.
-  for (int j = 0; j < 100; ++j)
-    for (int i = 0; i < 100; ++i) {
-      const bool first = i >= 30 && i < 50 && j >= 50 && j < 70,
-                 second = i >= 40 && i < 60 && j >= 40 && j < 60,
-                 third = i >= 50 && i < 70 && j >= 30 && j < 50;
-      ASSERT_EQ(o.times[100 * j + i], first + second + third) << i << ", " << j;
-    }
-  EXPECT_EQ(o.mostAt, 100u * 40 + 50);
-}
-
-// The sum over the samples is the length of all spans, in every order. The samples that show something are
-// those of the oracle, which paints each sample once.
-TEST(Overdraw, AddsUpToTheSpans) {
+// Each sample is painted as often as spans cover it, in every order, and the numbers are counted from that.
+// The samples that show something are those of the oracle, which paints each sample once.
+TEST(Overdraw, CountsTheSpans) {
   int cut = 0, more = 0;
   for (const char* const name : {"teapot", "penetrate", "cycle", "hues"}) {
     PictureCache pictures{readScene(name, 3)};
-    PictureSettings s;
-    s.width = 230, s.height = 170;
-    s.camera = completed({}, pictures.scene().camera);
-    s.order = Order::Oracle;
+    PictureSettings s = viewOf(pictures.scene(), Order::Oracle);
     pictures.make(s);
     const Overdraw oracle = overdrawOf(pictures.last());
     EXPECT_EQ(oracle.most, 1);
@@ -270,14 +242,20 @@ TEST(Overdraw, AddsUpToTheSpans) {
       s.order = order;
       pictures.make(s);
       const Overdraw o = overdrawOf(pictures.last());
-      std::int64_t spans = 0;
+      std::vector<int> times(std::size_t(s.width) * s.height, 0);
       for (const Fragment& fragment : pictures.last().sorted().fragments)
         forEachSpan(pictures.last().snapped(), pictures.last().sorted(), fragment, s.width, s.height,
-                    [&](int, int from, int to) { spans += to - from; });
-      EXPECT_EQ(o.painted, spans);
+                    [&](int row, int from, int to) {
+                      for (int i = from; i < to; ++i) ++times[std::size_t(row) * s.width + i];
+                    });
+      EXPECT_TRUE(std::ranges::equal(o.times, times));
+      EXPECT_EQ(o.painted, std::accumulate(times.begin(), times.end(), 0));
+      EXPECT_EQ(o.samples, std::ranges::count_if(times, [](int n) { return n > 0; }));
       EXPECT_EQ(o.samples, oracle.samples);
-      EXPECT_EQ(o.times.size(), std::size_t{230} * 170);
+      EXPECT_EQ(o.once, std::ranges::count(times, 1));
+      EXPECT_EQ(o.most, std::ranges::max(times));
       EXPECT_EQ(o.times[o.mostAt], o.most);
+      EXPECT_DOUBLE_EQ(o.mean() * static_cast<double>(o.samples), static_cast<double>(o.painted));
       cut += pictures.last().sorted().statistics.splits > 0;
       more += o.most > 2;
     }
@@ -488,12 +466,12 @@ TEST(Wireframe, WithoutCutsNothingIsDashed) {
   PictureCache pictures{readScene("penetrate")};
   pictures.make(viewOf(pictures.scene(), Order::Newell));
   const Wireframe cut = wireframeOf(pictures.last(), CellPlan{});
-  EXPECT_GT(std::ranges::count_if(cut.image.pixels, isDash), 20);
+  EXPECT_GT(dashesIn(cut), 20);
   for (const Order order : {Order::Unsorted, Order::ZMean, Order::ZSort, Order::ZBuffer16, Order::Oracle}) {
     pictures.make(viewOf(pictures.scene(), order));
     const Wireframe wires = wireframeOf(pictures.last(), CellPlan{});
     EXPECT_EQ(wires.cuts, 0);
-    EXPECT_EQ(std::ranges::count_if(wires.image.pixels, isDash), 0);
+    EXPECT_EQ(dashesIn(wires), 0);
     EXPECT_EQ(wires.edges, cut.edges);
     EXPECT_EQ(wires.polygons, cut.polygons);
     EXPECT_EQ(findingOf(wires, pictures.last()).bold, "Nothing is cut.");
@@ -502,7 +480,7 @@ TEST(Wireframe, WithoutCutsNothingIsDashed) {
   pictures.make(viewOf(pictures.scene(), Order::Bsp));
   const Wireframe tree = wireframeOf(pictures.last(), CellPlan{});
   EXPECT_EQ(tree.cuts, 1);
-  EXPECT_GT(std::ranges::count_if(tree.image.pixels, isDash), 20);
+  EXPECT_GT(dashesIn(tree), 20);
   EXPECT_EQ(findingOf(tree, pictures.last()).bold, "The BSP tree cut once.");
 }
 

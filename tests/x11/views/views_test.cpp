@@ -9,6 +9,7 @@
 #include "shading/picture/picture_cache.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/seeds.h"
+#include "tests/x11/support/ready_workbench.h"
 #include "x11/drawing/painter.h"
 #include "x11/views/exactness_view.h"
 #include "x11/views/views.h"
@@ -39,10 +40,7 @@ ColoredImage drawn(PictureCache& pictures, View view, int width, int height,
 
 /// True if all pixels of the area are paper.
 bool isPaper(const IndexImage& image, const Rect& area) {
-  for (int j = area.y; j < area.y + area.height; ++j)
-    for (int i = area.x; i < area.x + area.width; ++i)
-      if (image.row(j)[i] != CellPlan{}[Cell::Paper]) return false;
-  return true;
+  return std::ranges::count(partOf(image, area).pixels, CellPlan{}[Cell::Paper]) == area.width * area.height;
 }
 
 Picture made(const char* name, ColorPlan plan = ColorPlan::Needed, Order order = Order::Newell,
