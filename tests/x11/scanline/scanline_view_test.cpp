@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <sstream>
 
-#include "tests/x11/support/command_fixture.h"
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/drawing/wording.h"
 #include "x11/scanline/scanline_page.h"
@@ -29,7 +27,7 @@ struct ScanlineWindow : ReadyWorkbench {
   [[nodiscard]] const ScanlineView& view0() const { return dynamic_cast<const ScanlineView&>(bench()); }
   [[nodiscard]] const ScanlineRun& run() const { return *view0().run(); }
   [[nodiscard]] int step() const { return view0().view().step; }
-  [[nodiscard]] ScanSample sample() const { return run().samples()[static_cast<std::size_t>(step() - 1)]; }
+  [[nodiscard]] ScanSample sample() const { return run().samples()[step() - 1]; }
   void answer(const std::string& text) {
     for (const char c : text) press(c);
     does(NamedKey::Return);
@@ -77,7 +75,7 @@ TEST(ScanlineView, TheMouseChooses) {
   const int scale = overviewScale(at.overview, b.picture().image(), 1);
   const PictureSettings& settings = b.picture().settings();
   const int i = settings.width / 2 / scale * scale, j = settings.height / 2 / scale * scale;
-  const int face = b.picture().seen(j, j + 1).faces[static_cast<std::size_t>(i)];
+  const int face = b.picture().seen(j, j + 1).faces[i];
   b.click(at.overview.x + i / scale, at.overview.y + j / scale);
   EXPECT_NE(b.view0().polygon(), before);
   EXPECT_EQ(b.run().face(), face);
@@ -120,7 +118,7 @@ TEST(ScanlineView, BitsThatDoNotCountAreNotShown) {
   const auto bits = [&] {
     const Controls all = b.bench().controls();
     const Control& control = *std::ranges::find(all, 'B', &Control::key);
-    return control.options[static_cast<std::size_t>(control.value)] + (control.off.empty() ? "" : " off");
+    return control.options[static_cast<int>(control.value)] + (control.off.empty() ? "" : " off");
   };
   const double fine = b.run().mostDrift();
   while (bits() != "8") b.does('B');
@@ -143,7 +141,7 @@ TEST(ScanlineView, TheBoundOfTheDriftHolds) {
     const int told = std::stoi(why.substr(why.rfind(' ', end - 1)));
     double most = 0;
     for (const ScanSample& sample : b.run().samples()) {
-      const glm::ivec3 A = b.run().parts()[static_cast<std::size_t>(sample.part)].outline.front();
+      const glm::ivec3 A = b.run().parts()[sample.part].outline.front();
       const double away = std::abs(sample.column + 0.5 - A.x / 65536.0) +
                           std::abs(b.run().spanOf(sample).row + 0.5 - A.y / 65536.0);
       most = std::max(most, away);
@@ -185,19 +183,15 @@ TEST(ScanlineView, TheBooksLinesRun) {
     const std::vector<CodeLine> lines = scanlineCode(b.run(), step);
     ASSERT_EQ(std::ranges::count(lines, CodeLine::Ran::Now, &CodeLine::ran), 1);
     const auto now = std::ranges::find(lines, CodeLine::Ran::Now, &CodeLine::ran);
-    EXPECT_EQ(now->values,
-              "cell " + std::to_string(b.run().samples()[static_cast<std::size_t>(step - 1)].directCell));
+    EXPECT_EQ(now->values, "cell " + std::to_string(b.run().samples()[step - 1].directCell));
     rows += lines.front().ran == CodeLine::Ran::Before;
   }
   EXPECT_EQ(rows, static_cast<int>(b.run().marks(ScanMark::Row).size()));
-  const IndexImage before = b.image();
-  b.does('x');
-  EXPECT_NE(b.image(), before);
   // With 8 bits, too, the value that is painted is the one whose whole part is the cell.
   while (b.run().bits() != 8) b.does('B');
   int other = 0;
   for (int step = 1; step <= b.run().steps(); ++step) {
-    const ScanSample& sample = b.run().samples()[static_cast<std::size_t>(step - 1)];
+    const ScanSample& sample = b.run().samples()[step - 1];
     const std::vector<CodeLine> lines = scanlineCode(b.run(), step);
     const auto adds = std::ranges::find_if(
         lines, [](const CodeLine& line) { return line.text.find("V = V + d") != std::string::npos; });
@@ -206,43 +200,6 @@ TEST(ScanlineView, TheBooksLinesRun) {
     other += sample.steppedCell != sample.directCell;
   }
   EXPECT_GT(other, 0);
-}
-
-// The lines of a filled polygon are JSON. Every sample of its spans has a pixel line, by steps and directly
-// the same cell, and the values of a row are its first value and its increment.
-TEST_F(CommandTest, TracesAScanline) {
-  const auto end = runProgram(
-      {"trace", "teapot", "--scanline", "59", "--shade", "gouraud", "--size", "200x150", "--divisions", "3"});
-  ASSERT_EQ(end.status, 0) << end.err;
-  std::istringstream lines{end.out};
-  Json row, last;
-  int samples = 0, spanned = 0, edges = 0;
-  for (std::string line; std::getline(lines, line);) {
-    const Json e = Json::parse(line);
-    const std::string event = e.at("event");
-    EXPECT_FALSE(e.at("says").get<std::string>().empty());
-    edges += event == "edge";
-    if (event == "row") {
-      row = e;
-      spanned += e.at("to").get<int>() - e.at("from").get<int>() + 1;
-    }
-    if (event == "pixel") {
-      ++samples;
-      EXPECT_EQ(e.at("step"), samples);
-      EXPECT_EQ(e.at("cell"), e.at("direct_cell"));
-      EXPECT_EQ(e.at("pixel").at(1), row.at("row"));
-      const Json& value = row.at("values").at("value");
-      const double along = e.at("pixel").at(0).get<double>() + 0.5 - row.at("left").at("x").get<double>();
-      EXPECT_NEAR(value.at("left").get<double>() + along * value.value("increment", 0.0),
-                  e.at("by_steps").get<double>(), 1e-4);
-    }
-    last = e;
-  }
-  EXPECT_EQ(last.at("event"), "summary");
-  EXPECT_EQ(last.at("samples"), samples);
-  EXPECT_EQ(samples, spanned);
-  EXPECT_GT(samples, 50);
-  EXPECT_EQ(edges, 6);
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -235,7 +235,7 @@ TEST(OwnSort, PaintingTooEarlySpoilsThePicture) {
   const std::vector<int> nearest = visibleFaces(s.run().scene(), at.width, at.height);
   std::set<std::pair<int, int>> wrong;
   for (const auto& sample : s.samplesOf(s.run().paintedId(1)))
-    if (nearest[static_cast<std::size_t>(sample.second) * at.width + sample.first] == P) wrong.insert(sample);
+    if (nearest[sample.second * at.width + sample.first] == P) wrong.insert(sample);
   EXPECT_EQ(wrong, spoilt);
   EXPECT_TRUE(s.own().bold.ends_with("is wrong."));
 }

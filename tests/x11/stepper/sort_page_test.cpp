@@ -385,7 +385,7 @@ TEST(SortPage, SaysWhichLinesAreOursAndWherePIsFrom) {
   bool moved = false;
   for (int step = 1; step <= run.steps(); ++step) {
     run.goTo(step);
-    const Event& e = run.sorted().events[static_cast<std::size_t>(step - 1)];
+    const Event& e = page.event(step);
     moved = e.kind == Event::Kind::Move || (moved && e.kind != Event::Kind::Take);
     if (e.kind == Event::Kind::Split) break;
     const std::vector<CodeLine> lines = sortCode(run, {.step = step});

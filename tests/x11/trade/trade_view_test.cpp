@@ -28,13 +28,16 @@ const TradeRequest kQuick{.brief = true, .seconds = 100, .mostRounds = 7};
 struct Measured6 {
   StagedView stage;
   TradeView bench{stage, kQuick};
-  explicit Measured6(const char* scene = "cubes", int width = 800, int height = 540)
-      : stage{scene, 3, width, height} {
+  explicit Measured6(const char* scene = "cubes", bool wholly = true) : stage{scene, 3, 800, 540} {
     stage.draw(bench);
-    finish();
+    if (wholly) finish();
+  }
+  void wait() {
+    std::this_thread::sleep_for(std::chrono::milliseconds{5});
+    bench.tick();
   }
   void finish() {
-    for (; bench.moving(); bench.tick()) std::this_thread::sleep_for(std::chrono::milliseconds{5});
+    while (bench.moving()) wait();
     stage.draw(bench);
   }
   void press(std::string_view letters) { stage.press(bench, letters), stage.draw(bench); }
@@ -100,16 +103,12 @@ TEST(TradeView, WalksAlongTheFront) {
 // What the user picks stays chosen while the measuring goes on. Another limit chooses again.
 TEST(TradeView, KeepsWhatIsPicked) {
   if (kSanitized) GTEST_SKIP() << "the front is of times, and sanitizers change them";
-  StagedView stage{"coarse-teapot", 3, 800, 600};
-  TradeView bench{stage, kQuick};
-  stage.draw(bench);
-  const auto wait = [&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds{5});
-    bench.tick();
-  };
-  while (bench.moving() && bench.trade().front.size() < 2) wait();
+  Measured6 m{"coarse-teapot", false};
+  StagedView& stage = m.stage;
+  TradeView& bench = m.bench;
+  while (bench.moving() && bench.trade().front.size() < 2) m.wait();
   ASSERT_TRUE(bench.moving());
-  const auto changes = [&] { return bench.trade().combinations[bench.chosen()].configuration.changes; };
+  const auto changes = [&] { return m.chosen().configuration.changes; };
   const auto chosenByLimit = changes();
   const std::size_t known = bench.trade().combinations.size();
   for (int k = 0; k < 100; ++k) stage.press(bench, NamedKey::Right);
@@ -117,13 +116,13 @@ TEST(TradeView, KeepsWhatIsPicked) {
     for (int k = 0; k < 100; ++k) stage.press(bench, NamedKey::Left);
   const auto picked = changes();
   ASSERT_NE(picked, chosenByLimit);
-  while (bench.moving()) wait();
+  m.finish();
   EXPECT_GT(bench.trade().combinations.size(), known);
   EXPECT_EQ(changes(), picked);
   for (int k = 0; k < 100; ++k) stage.press(bench, NamedKey::Down);
   const auto least = std::ranges::min_element(bench.trade().combinations, {}, errorOnAllViews);
   // Of equally accurate ones, the fastest is taken.
-  EXPECT_LE(errorOnAllViews(bench.trade().combinations[bench.chosen()]), kErrorTie * errorOnAllViews(*least));
+  EXPECT_LE(errorOnAllViews(m.chosen()), kErrorTie * errorOnAllViews(*least));
 }
 
 // A click on a mark chooses it.

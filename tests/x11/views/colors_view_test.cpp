@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 #include "shading/picture/cell_use.h"
@@ -35,12 +35,8 @@ ColorsLayout layoutOfView(int width, int height) {
   return layoutOfColors({16, 16, width - 32, height - kStripAndFoot - 28});
 }
 
-struct PlannedScene {
-  const char* scene;
-  ColorPlan plan;
-};
-constexpr std::array kPlans{PlannedScene{"teapot", ColorPlan::OneHue}, PlannedScene{"hues", ColorPlan::Hues},
-                            PlannedScene{"hues", ColorPlan::Cube}, PlannedScene{"hues", ColorPlan::Chosen}};
+constexpr std::array kPlans{std::pair{"teapot", ColorPlan::OneHue}, std::pair{"hues", ColorPlan::Hues},
+                            std::pair{"hues", ColorPlan::Cube}, std::pair{"hues", ColorPlan::Chosen}};
 
 int countIn(const IndexImage& image, const Rect& area, int cell) {
   return static_cast<int>(std::ranges::count(partOf(image, area).pixels, cell));
@@ -53,14 +49,12 @@ struct Interval {
 };
 Interval parsed(const std::string& text) {
   Interval interval;
-  const auto number = [&](std::size_t at) {
-    double v = 0;
-    const char* const end = std::from_chars(text.data() + at, text.data() + text.size(), v).ptr;
-    interval.decimals = static_cast<int>(end - text.data() - at) - 2;
-    return v;
-  };
-  if (text[0] != 'I') interval.from = number(0);
-  if (const std::size_t less = text.find("I < "); less != std::string::npos) interval.to = number(less + 4);
+  if (std::sscanf(text.c_str(), "%lf <= I < %lf", &interval.from, &interval.to) == 0) {
+    EXPECT_EQ(std::sscanf(text.c_str(), "I < %lf", &interval.to), 1);
+  }
+  const std::size_t point = text.find('.') + 1;
+  interval.decimals =
+      static_cast<int>(std::min(text.find_first_not_of("0123456789", point), text.size()) - point);
   return interval;
 }
 

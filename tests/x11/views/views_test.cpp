@@ -25,17 +25,9 @@ constexpr std::array kDrawn{View::MachBands, View::Normals,  View::Difference,
 ViewSettings settingsOf(View view, const Scene& scene, int width, int height) {
   ViewSettings s;
   s.view = view;
-  s.picture.width = width;
-  s.picture.height = height;
+  s.picture.width = width, s.picture.height = height;
   s.picture.camera = completed({}, scene.camera);
   return s;
-}
-
-ColoredImage drawn(PictureCache& pictures, View view, int width, int height,
-                   Shading shading = Shading::Gouraud) {
-  ViewSettings s = settingsOf(view, pictures.scene(), width, height);
-  s.picture.shading = shading;
-  return drawView(pictures, s);
 }
 
 /// True if all pixels of the area are paper.
@@ -74,8 +66,7 @@ TEST(Views, NothingIsCutOff) {
         s.picture.shading = Shading::Phong;
         s.picture.colors = pictures == &tori ? ColorPlan::Chosen : ColorPlan::Needed;
         const IndexImage image = drawView(*pictures, s).image;
-        ASSERT_EQ(image.width, width);
-        ASSERT_EQ(image.height, height);
+        ASSERT_EQ(std::pair(image.width, image.height), std::pair(width, height));
         const int margin = 8;
         EXPECT_TRUE(isPaper(image, {0, 0, margin, height}) && isPaper(image, {0, 0, width, margin}));
         EXPECT_TRUE(isPaper(image, {width - margin, 0, margin, height}));
@@ -109,16 +100,20 @@ TEST(Views, DoNotDependOnSplits) {
 
 // A view drawn again is the same, after any other view: no view leaves anything in the picture for the next.
 TEST(Views, DoNotDependOnTheOneBefore) {
+  const auto drawn = [](PictureCache& pictures, View view) {
+    ViewSettings s = settingsOf(view, pictures.scene(), 800, 600);
+    s.picture.shading = Shading::Gouraud;
+    return drawView(pictures, s).image;
+  };
   PictureCache pictures{readScene("teapot", 3)};
   std::vector<IndexImage> first;
   for (const View view : kDrawn) {
     PictureCache fresh{readScene("teapot", 3)};
-    first.push_back(drawn(fresh, view, 800, 600).image);
+    first.push_back(drawn(fresh, view));
   }
   EXPECT_NE(first[0], first[2]);
   for (int round = 0; round < 2; ++round)
-    for (std::size_t k = 0; k < kDrawn.size(); ++k)
-      EXPECT_EQ(drawn(pictures, kDrawn[k], 800, 600).image, first[k]);
+    for (std::size_t k = 0; k < kDrawn.size(); ++k) EXPECT_EQ(drawn(pictures, kDrawn[k]), first[k]);
 }
 
 // Each band is marked on its curve, in the column of its pixel, and nothing else is.
