@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <limits>
 #include <new>
 #include <numeric>
@@ -16,6 +15,7 @@
 #include "geometry/files/bpt.h"
 #include "geometry/model/solids.h"
 #include "geometry/view/camera.h"
+#include "tests/bench/least.h"
 #include "tests/bench/triangulated.h"
 #include "tests/support/triangle_soup.h"
 
@@ -118,7 +118,6 @@ SCENE(largeTriangles, 1000);
 /// turns with the tree. All are the least of the run, in processor time.
 void BM_BspTree(benchmark::State& state, Mesh (*make)(int)) {
   const SnappedScene scene = seen(make(static_cast<int>(state.range(0))));
-  const auto processorTime = [] { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
   double built = std::numeric_limits<double>::infinity(), walked = built, sorted = built;
   SortStatistics statistics;
   std::size_t bytes = 0;
@@ -156,7 +155,6 @@ void BM_Record(benchmark::State& state, Mesh (*make)(int)) {
   const SnappedScene scene = seen(make(static_cast<int>(state.range(0))));
   SortSettings recording = kQuick;
   recording.record = true;
-  const auto processorTime = [] { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
   double plain = std::numeric_limits<double>::infinity(), recorded = plain;
   SortedScene sorted;
   for (auto _ : state) {

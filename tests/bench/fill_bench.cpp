@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <random>
 #include <string>
 #include <tuple>
@@ -13,15 +12,12 @@
 #include "geometry/files/bpt.h"
 #include "geometry/model/solids.h"
 #include "geometry/model/vertex_normals.h"
-#include "shading/color/color_difference.h"
-#include "shading/color/quantize.h"
 #include "shading/fill/environment.h"
 #include "shading/fill/evaluated.h"
 #include "shading/fill/fill.h"
 #include "shading/fill/gouraud.h"
 #include "tests/bench/least.h"
 #include "tests/bench/triangulated.h"
-#include "tests/support/full_color_picture.h"
 #include "tests/support/normal_error.h"
 #include "tests/support/random_triangles.h"
 
@@ -46,9 +42,6 @@ std::vector<glm::ivec3> randomTriangles(int side, int count) {
   return p;
 }
 
-/// Processor time in nanoseconds, not wall time: machines are shared.
-double processorTime() { return 1e9 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 /// Nanoseconds a byte of an explicit loop of stores over the image, the best so far. No filler can be faster.
 double storeLoop(IndexImage& image) {
   constexpr int kPasses = 40;
@@ -64,7 +57,7 @@ double storeLoop(IndexImage& image) {
     }
     best = std::min(best, processorTime() - start);
   }
-  return best / kPasses / static_cast<double>(image.pixels.size());
+  return 1e6 * best / kPasses / static_cast<double>(image.pixels.size());
 }
 
 /// What the triangles are filled with, made from values at their vertices. Its set-up is a part of the work.
@@ -170,7 +163,7 @@ void BM_Fill(benchmark::State& state) {
     fill += processorTime() - start;
   }
   const double count = static_cast<double>(triangles.size()) / 3;
-  const double ns = fill / static_cast<double>(state.iterations());
+  const double ns = 1e6 * fill / static_cast<double>(state.iterations());
   state.counters["ns_triangle"] = ns / count;
   state.counters["ns_pixel"] = ns / static_cast<double>(pixels);
   state.counters["store_ns_byte"] = storeLoop(image);
@@ -188,7 +181,7 @@ BENCHMARK(BM_Fill<environmentMap>)->Name("BM_FillEnvironmentMap")->Apply(everySi
 BENCHMARK(BM_Fill<phong>)->Name("BM_FillPhong")->Apply(everySide);
 BENCHMARK(BM_Fill<perspectiveTexture>)->Name("BM_FillPerspectiveTexture")->Apply(everySide);
 
-/// ---- What an environment map, a palette and normals cost, and how far off they are.
+/// ---- What an environment map and normals cost, and how far off they are.
 
 void everyAngle(benchmark::internal::Benchmark* error) {
   for (const int degrees : {0, 15, 30, 45, 60, 120}) error->Arg(degrees);
@@ -230,56 +223,24 @@ BENCHMARK(BM_EnvironmentError<EnvironmentForm::Rotated>)
     ->Apply(everyAngle)
     ->Unit(benchmark::kMicrosecond);
 
-// Balls of seven hues, 800x600, quantized into the cells. With the cube the time is linear in the pixels;
-// with a chosen palette it also depends on the different colours. The differences are CIEDE2000 over the
-// pixels that show something: pixel by pixel, and as means of 8x8 blocks, which is what dithering is for.
-void BM_Quantize(benchmark::State& state, Quantizer quantizer, bool dither) {
-  const FullColorPicture picture = coloredBalls(800, 600);
-  const QuantizeSettings settings{.quantizer = quantizer, .dither = dither};
-  IndexImage cells{800, 600, 0};
-  std::vector<Rgb16> colors;
-  for (auto _ : state)
-    benchmark::DoNotOptimize(colors = quantize(picture.rgb, picture.shows, settings, cells));
-  const RgbImage result = shown(cells, colors, settings.first);
-  const ImageDifference difference = imageDifference(picture.rgb, result, picture.shows);
-  state.counters["mean_delta_e"] = difference.mean;
-  state.counters["max_delta_e"] = difference.largest;
-  state.counters["mean_delta_e_of_blocks"] = imageDifference(blocksOf(picture.rgb), blocksOf(result)).mean;
-  state.SetItemsProcessed(state.iterations() * difference.pixels);
-}
-BENCHMARK_CAPTURE(BM_Quantize, cube, Quantizer::Cube, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_Quantize, cube_dithered, Quantizer::Cube, true)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_Quantize, chosen, Quantizer::Chosen, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_Quantize, chosen_dithered, Quantizer::Chosen, true)->Unit(benchmark::kMillisecond);
-
 // The errors of each rule against the true normals: the sphere's, or the patches' at the same corner. For the
 // teapot also without its creases.
 void BM_NormalError(benchmark::State& state) {
   const NormalRow& rule = kNormalRules[state.range(1)];
   const std::vector<BezierPatch> patches = readBpt(XNEWELL_DATA_DIR "/teapot.bpt");
   const auto teapot = [&](int N) { return tessellate(patches, N); };
-  const auto& [name, mesh, truth] = [&]() -> std::tuple<std::string, Mesh, std::vector<glm::dvec3>> {
-    const auto ball = [](const char* shape, const Mesh& m) { return std::tuple{shape, m, sphereNormals(m)}; };
-    const auto smooth = [&](int N) { return withoutCreases(teapot(N), cornerNormals(patches, N)); };
-    switch (state.range(0)) {
-      case 0:
-        return ball("sphere 24 x 12", sphere(24, 12));
-      case 1:
-        return ball("sphere 48 x 24", sphere(48, 24));
-      case 2:
-        return ball("sphere 24 x 12 in triangles", triangulated(sphere(24, 12)));
-      case 3:
-        return ball("sphere 48 x 24 in triangles", triangulated(sphere(48, 24)));
-      case 4:
-        return {"teapot 8", teapot(8), cornerNormals(patches, 8)};
-      case 5:
-        return {"teapot 16", teapot(16), cornerNormals(patches, 16)};
-      case 6:
-        return {"teapot 8 but its creases", teapot(8), smooth(8)};
-      default:
-        return {"teapot 16 but its creases", teapot(16), smooth(16)};
-    }
-  }();
+  const auto ball = [](const char* shape, const Mesh& m) { return std::tuple{shape, m, sphereNormals(m)}; };
+  const auto smooth = [&](int N) { return withoutCreases(teapot(N), cornerNormals(patches, N)); };
+  const std::array<std::tuple<std::string, Mesh, std::vector<glm::dvec3>>, 8> cases{
+      ball("sphere 24 x 12", sphere(24, 12)),
+      ball("sphere 48 x 24", sphere(48, 24)),
+      ball("sphere 24 x 12 in triangles", triangulated(sphere(24, 12))),
+      ball("sphere 48 x 24 in triangles", triangulated(sphere(48, 24))),
+      std::tuple{"teapot 8", teapot(8), cornerNormals(patches, 8)},
+      std::tuple{"teapot 16", teapot(16), cornerNormals(patches, 16)},
+      std::tuple{"teapot 8 but its creases", teapot(8), smooth(8)},
+      std::tuple{"teapot 16 but its creases", teapot(16), smooth(16)}};
+  const auto& [name, mesh, truth] = cases[static_cast<std::size_t>(state.range(0))];
   NormalError error;
   for (auto _ : state) benchmark::DoNotOptimize(error = normalError(mesh, rule.id, truth));
   state.counters["mean_degrees"] = error.mean;
