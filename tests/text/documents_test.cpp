@@ -1,9 +1,7 @@
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -35,8 +33,8 @@
 
 namespace xnewell::THIS_FILE {
 
-// What the documents say of the program: figures, each computed again, the table of rooms, and plain words.
-// Where a figure has changed, the message has the words as they should be.
+// What the documents say of the program: figures, each computed again, and the table of rooms. Plain words:
+// plain.sh. Where a figure has changed, the message has the words as they should be.
 
 namespace {
 
@@ -233,37 +231,6 @@ Rooms told() {
   return rooms;
 }
 
-/// ---- Words.
-
-/// Turns of phrase that nobody says to a class, and what to write instead.
-struct Phrase {
-  std::string_view words, instead;
-};
-constexpr std::array kPhrases{
-    Phrase{"is that of", "name the thing again, or say who has it"},
-    Phrase{"are those of", "name the things again, or say who has them"},
-    Phrase{"is told", "say who says it to whom"},
-    Phrase{"are told", "say who says it to whom"},
-    Phrase{"the one that", "name it"},
-    Phrase{", of which", "begin a new sentence"},
-    Phrase{"by it go", "begin with what goes"},
-    Phrase{"thereby", "so"},
-    Phrase{"in order to", "to"},
-    Phrase{"so as to", "to"},
-};
-
-/// Where a phrase stands as words of its own; npos if nowhere.
-std::size_t placeOf(std::string_view phrase, const std::string& text) {
-  for (std::size_t at = text.find(phrase); at != std::string::npos; at = text.find(phrase, at + 1)) {
-    const std::size_t end = at + phrase.size();
-    const auto isLetter = [&](std::size_t k) {
-      return k < text.size() && std::isalnum(static_cast<unsigned char>(text[k])) != 0;
-    };
-    if (!(at > 0 && isLetter(at - 1)) && !isLetter(end)) return at;
-  }
-  return std::string::npos;
-}
-
 }  // namespace
 
 // The linear table's cell i holds i - 10 of 255 in red.
@@ -388,23 +355,6 @@ TEST(ShadingReadme, HasTheErrorsOfPhong) {
   }
 }
 
-// The example of a scene file is one.
-TEST(ScenesPage, ShowsAScene) {
-  const std::string page = documentOf("data/SCENES.md");
-  const std::size_t begin = page.find("```json\n") + 8, end = page.find("```", begin);
-  ASSERT_LT(begin, end);
-  const Scene scene = parseSceneFile(page.substr(begin, end - begin), "SCENES.md", "");
-  EXPECT_EQ(scene.mesh.faceCount(), 7);
-}
-
-// From the default order, so many presses lead to the sort by farthest z.
-TEST(Readme, LeadsToTheSortByFarthestZ) {
-  const auto n = static_cast<int>(kOrders.size());
-  const int presses = (static_cast<int>(Order::ZSort) - static_cast<int>(PictureSettings{}.order) + n) % n;
-  EXPECT_EQ(rowOf(Order::ZSort).label, "z far");
-  EXPECT_TRUE(says("README.md", "At `z far` (click it, or press `O` {} times)", {number(presses)}));
-}
-
 // The README's table of rooms says what the build does.
 TEST(Rooms, UseWhatTheReadmeSays) {
   const Rooms actual = built(), stated = told();
@@ -414,85 +364,6 @@ TEST(Rooms, UseWhatTheReadmeSays) {
     EXPECT_EQ(stated.at(room), uses) << room;
   }
   EXPECT_EQ(stated.size(), actual.size());
-}
-
-// Keys and controls belong to the kit. Elsewhere no code tells keys apart, tests a list of them, or draws the
-// parts of a control: views give the kit rows.
-TEST(Rooms, KeysAndControlsBelongToTheKit) {
-  struct Rule {
-    const char* pattern;
-    Names allowed;  ///< files where it means something else
-  };
-  const std::vector<Rule> rules{
-      {R"(case '[^']+':)", {}},
-      {R"("[^" ]{4,}"\}?\.find(_first_of)?\(|\.find(_first_of)?\((key|letter)\b)", {}},
-      {R"(\b(key|event)\.letter\b)", {"x11/app/workbench_keys.cpp"}},  // a letter of a typed text
-      {R"(\b(drawOptions|optionFrames|drawToggle|drawNumber)\()", {}},
-      {R"(\bdrawTrack\()", {"x11/stepper/sort_controls.cpp"}},  // the speed has words beside its track
-  };
-  int files = 0;
-  for (const char* const room : {"window", "views", "sides", "trade", "stepper", "lessons", "app"})
-    for (const auto& entry : fs::directory_iterator{std::string{XNEWELL_DATA_DIR} + "/../x11/" + room}) {
-      const std::string path = std::string{"x11/"} + room + '/' + entry.path().filename().string();
-      if (!path.ends_with(".cpp") && !path.ends_with(".h")) continue;
-      ++files;
-      const std::string text = documentOf(path);
-      for (const Rule& rule : rules) {
-        if (!rule.allowed.contains(path)) {
-          EXPECT_THAT(matches(text, rule.pattern), testing::IsEmpty()) << path;
-        }
-      }
-    }
-  EXPECT_GT(files, 80);
-}
-
-// Only the server's room and the event loop, one file of the app, include Xlib, and the student's program,
-// which is none of ours. So its macros (None, Bool, Status) reach no file of another room.
-TEST(Rooms, IncludeXlibInTheServersRoomAndTheEventLoop) {
-  std::map<std::string, int> including;
-  const fs::path project = fs::path{XNEWELL_DATA_DIR}.parent_path();
-  int files = 0;
-  for (const char* floor : {"geometry", "depthsort", "shading", "x11"})
-    for (const auto& entry : fs::recursive_directory_iterator{project / floor}) {
-      const std::string path = entry.path().lexically_relative(project).string();
-      if (!path.ends_with(".cpp") && !path.ends_with(".h")) continue;
-      ++files;
-      if (('\n' + documentOf(path)).find("\n#include <X11/") != std::string::npos)
-        ++including[path.substr(0, path.rfind('/'))];
-    }
-  EXPECT_GT(files, 200);
-  EXPECT_GT(including["x11/server"], 0);
-  EXPECT_EQ(including["x11/app"], 1);
-  EXPECT_LE(including.size(), including.contains("x11/example") ? 3u : 2u);
-}
-
-// The README is short enough to be read.
-TEST(Readme, HasAtMost150Lines) {
-  const std::string text = documentOf("README.md");
-  EXPECT_LE(std::ranges::count(text, '\n'), 150);
-}
-
-// What people read is plain: the documents, and the words of scenes and lessons.
-TEST(PlainWords, InDocumentsAndLessons) {
-  const fs::path project = fs::path{XNEWELL_DATA_DIR}.parent_path();
-  int documents = 0;
-  for (auto at = fs::recursive_directory_iterator{project}; at != fs::recursive_directory_iterator{}; ++at) {
-    const std::string name = at->path().filename().string();
-    if (at->is_directory() && (name == "build" || name.starts_with('.'))) at.disable_recursion_pending();
-    const bool lesson = at->path().extension() == ".json" &&
-                        at->path().string().find("/data/") != std::string::npos &&
-                        at->path().string().find("/tests/") == std::string::npos;
-    if (at->path().extension() != ".md" && !lesson) continue;
-    ++documents;
-    const std::string text = onOneLine(documentOf(at->path().lexically_relative(project)));
-    for (const Phrase& phrase : kPhrases) {
-      const std::size_t place = placeOf(phrase.words, text);
-      if (place == std::string::npos) continue;
-      ADD_FAILURE() << at->path().lexically_relative(project).string() << " has \"" << phrase.words << "\" ("
-                    << phrase.instead << "): ..." << text.substr(place < 40 ? 0 : place - 40, 100) << "...";
-    }
-  }
-  EXPECT_GT(documents, 40);
 }
 
 }  // namespace xnewell::THIS_FILE
