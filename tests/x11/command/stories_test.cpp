@@ -2,8 +2,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <functional>
-#include <iterator>
 #include <memory>
 #include <regex>
 
@@ -166,6 +164,11 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
     names_["<data>"] = XNEWELL_DATA_DIR;
     names_["<cxx>"] = XNEWELL_CXX;
     names_["<hindered>"] = builtProgram("tests/xnewell_hindered");
+#ifdef XNEWELL_BUILD
+    names_["<cmake>"] = XNEWELL_CMAKE;
+    names_["<build>"] = XNEWELL_BUILD;
+    names_["<flags>"] = XNEWELL_CXX_FLAGS;
+#endif
   }
   ~Story() override { std::filesystem::current_path("/"); }
 
@@ -190,7 +193,8 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
         continue;
       }
       for (const std::string& one : expanded(line)) {
-        SCOPED_TRACE("tests/stories/" + GetParam() + ".txt:" + std::to_string(at->number) + ": " + one);
+        SCOPED_TRACE(XNEWELL_STORIES + ('/' + GetParam()) + ".txt:" + std::to_string(at->number) + ": " +
+                     one);
         tell(one);
         ++told_;
       }
