@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -15,6 +17,7 @@
 #include "shading/color/png.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/x11/support/story_text.h"
 #include "x11/homework/class_marks.h"
 
 namespace xnewell::THIS_FILE {
@@ -23,6 +26,8 @@ namespace {
 
 using Json = nlohmann::json;
 using Strings = std::vector<std::string>;
+
+const std::string kDocumented = XNEWELL_DATA_DIR "/../tests/x11/homework/documented/";
 
 /// ---- What the documentation of each system says of its file. Nothing here is shared with what writes them.
 
@@ -83,50 +88,29 @@ Members membersOf(const std::string& text) {
   }
   return all;
 }
-/// gradescope-autograders.readthedocs.io, "Autograder Specifications", "Output format".
-const Members kGradescope = membersOf(R"(
-    . o  /score n  /execution_time n  /output s  /output_format s=text,simple_format,html,md,ansi
-    /test_output_format s=text,simple_format,html,md,ansi
-    /test_name_format s=text,simple_format,html,md,ansi
-    /visibility s=hidden,after_due_date,after_published,visible
-    /stdout_visibility s=hidden,after_due_date,after_published,visible  /extra_data o  /tests l!
-    /tests/* o  /tests/*/score n!  /tests/*/max_score n  /tests/*/status s=passed,failed
-    /tests/*/name s  /tests/*/name_format s=text,simple_format,html,md,ansi  /tests/*/number s
-    /tests/*/output s  /tests/*/output_format s=text,simple_format,html,md,ansi  /tests/*/tags l
-    /tests/*/tags/* s  /tests/*/visibility s=hidden,after_due_date,after_published,visible
-    /tests/*/extra_data o)");
-/// Classroom 50's wiki, "Advanced Autograding", "The result.json contract". "Extra diagnostic fields are
-/// preserved."
-const Members kClassroom50 = membersOf(R"(
-    . o  /schema s!=classroom50/result/v1  /classroom t!  /assignment t!
-    /assignment_type s!=individual,group  /owner t!  /submission t!  /commit t!  /release t!  /review t!
-    /datetime t!  /graded_at t  /score i!  /max-score i!  /tests l!  /tests/* o  /tests/*/test-name t!
-    /tests/*/passed b!  /tests/*/score i!  /tests/*/max-score i!  /tests/*/message s)");
-/// PrairieLearn's documentation, "External grading", "Grading results".
-const Members kPrairieLearn = membersOf(R"(
-    . o  /gradable b  /score n!  /message s  /output s  /format_errors l  /format_errors/* s  /images l
-    /images/* o  /images/*/label s  /images/*/url t!  /tests l  /tests/* o  /tests/*/name t!
-    /tests/*/description s  /tests/*/points n!  /tests/*/max_points n!  /tests/*/message s
-    /tests/*/output s  /tests/*/images l  /tests/*/images/* o  /tests/*/images/*/label s
-    /tests/*/images/*/url t!)");
 
-const std::string kDocumentedGradescope = R"({"score": 44.0, "execution_time": 136, "output": "of all",
-    "output_format": "simple_format", "test_output_format": "text", "visibility": "after_due_date",
-    "stdout_visibility": "visible", "extra_data": {}, "tests": [{"score": 2.0, "max_score": 2.0,
-    "status": "passed", "name": "a name", "name_format": "text", "number": "1.1", "output": "many lines",
-    "output_format": "text", "tags": ["tag1", "tag2"], "visibility": "visible", "extra_data": {}}]})",
-                  kDocumentedClassroom50 = R"({"schema": "classroom50/result/v1", "classroom": "principles",
-    "assignment": "hello", "assignment_type": "individual", "owner": "alice",
-    "submission": "submit/2026-06-01T14-32-05Z-a1b2c3d", "commit": "https://host/commit/SHA",
-    "release": "https://host/releases/tag/submit%2F", "review": "https://host/compare/A...B",
-    "datetime": "2026-06-01T14:32:01Z", "graded_at": "2026-06-01T14:33:11Z", "score": 4, "max-score": 5,
-    "tests": [{"test-name": "compiles", "passed": true, "score": 4, "max-score": 4},
-              {"test-name": "correct", "passed": false, "score": 0, "max-score": 1}]})",
-                  kDocumentedPrairieLearn = R"({"gradable": true, "score": 0.25, "message": "done",
-    "output": "Test 1 passed", "images": [{"label": "First", "url": "data:image/png;base64,AAAA"}],
-    "tests": [{"name": "Test 1", "description": "a thing", "points": 1, "max_points": 1, "message": "none",
-    "output": "matched"}, {"name": "Test 2", "points": 0, "max_points": 3,
-    "images": [{"label": "First", "url": "data:image/gif;base64,AAAA"}]}]})";
+/// What a system's documentation says, in documented/NAME.txt: lines `member` with the members of its file,
+/// lines `spoilt THIS -> THAT`, and an example.
+struct Documented {
+  explicit Documented(std::string_view name) {
+    std::ifstream in{kDocumented + std::string{name} + ".txt"};
+    for (std::string line; std::getline(in, line);) {
+      const std::size_t arrow = line.find(" ->");
+      if (line.starts_with("member "))
+        members += line.substr(7) + '\n';
+      else if (line.starts_with("spoilt "))
+        spoilt.emplace_back(unescaped(line.substr(7, arrow - 7)),
+                            unescaped(line.substr(std::min(arrow + 4, line.size()))));
+      else if (!line.starts_with('#'))
+        example += line + '\n';
+    }
+  }
+  std::string members, example;
+  std::vector<std::pair<std::string, std::string>> spoilt;
+};
+const Members kGradescope = membersOf(Documented{"gradescope"}.members),
+              kClassroom50 = membersOf(Documented{"classroom50"}.members),
+              kPrairieLearn = membersOf(Documented{"prairielearn"}.members);
 
 /// Rules between members.
 std::string gradescopeComplaint(const std::string& file) { return complaint(Json::parse(file), kGradescope); }
@@ -222,11 +206,6 @@ std::string junitComplaint(const std::string& file) {
   }
   return all.back().name == "testsuites" ? "" : "root";
 }
-const std::string kDocumentedJUnit = R"(<?xml version="1.0" encoding="UTF-8"?>
-<testsuites name="all"><testsuite name="one" tests="2" failures="1" errors="0" time="0.1">
-<testcase classname="a" name="b" time="0.1"/><testcase name="c"><failure type="x" message="y">z &amp; w</failure>
-<system-out>words</system-out></testcase></testsuite></testsuites>)";
-
 /// RFC 4180: the fields of each line.
 std::vector<Strings> csvOf(const std::string& file) {
   std::vector<Strings> lines{{""}};
@@ -281,70 +260,23 @@ std::string htmlComplaint(const std::string& file) {
 struct Checker {
   MarksFormat format;
   std::string (*complaint)(const std::string& file);
-  std::string example = {};  ///< as the documentation has it
-  std::vector<std::pair<std::string, std::string>> spoilt =
-      {};  ///< in the example: this in the place of that
 };
-const std::vector<Checker> kCheckers{
-    {MarksFormat::Csv, csvComplaint, "a,b\n\"c,\"\"d\",e\n", {{"b\n", "b,\n"}, {"e", "=e"}}},
-    {MarksFormat::Html,
-     htmlComplaint,
-     "<!DOCTYPE html>\n<html lang=\"en\"><td>a &lt;b></td>",
-     {{"&lt;", "<"}, {"<td>", "<script>"}, {"<td>", "<td onclick=\"x\">"}}},
-    {MarksFormat::Gradescope,
-     gradescopeComplaint,
-     kDocumentedGradescope,
-     {{"\"score\": 2.0,", ""}, {"\"passed\"", "\"right\""}, {"\"text\"", "\"htm\""}, {"2.0", "\"2\""}}},
-    {MarksFormat::Classroom50,
-     classroom50Complaint,
-     kDocumentedClassroom50,
-     {{"/v1", "/v2"},
-      {"\"score\": 4,", "\"score\": 4.5,"},
-      {"submit/", "main/"},
-      {"true", "1"},
-      {"\"owner\"", "\"name\""},
-      {"T14:32:01Z", " 14:32:01"},
-      {"\"max-score\": 4", "\"max-score\": 3"}}},
-    {MarksFormat::PrairieLearn,
-     prairieLearnComplaint,
-     kDocumentedPrairieLearn,
-     {{"0.25", "2.5"},
-      {"\"score\"", "\"points\""},
-      {"\"url\"", "\"src\""},
-      {"\"points\": 0", "\"points\": null"}}},
-    {MarksFormat::JUnit,
-     junitComplaint,
-     kDocumentedJUnit,
-     {{"&amp;", "&"},
-      {"tests=\"2\"", "tests=\"3\""},
-      {" name=\"c\"", ""},
-      {"<failure", "<fail"},
-      {"words", "]]>"},
-      {"/>", ">"}}},
+constexpr std::array kCheckers{
+    Checker{MarksFormat::Csv, csvComplaint},
+    Checker{MarksFormat::Html, htmlComplaint},
+    Checker{MarksFormat::Gradescope, gradescopeComplaint},
+    Checker{MarksFormat::Classroom50, classroom50Complaint},
+    Checker{MarksFormat::PrairieLearn, prairieLearnComplaint},
+    Checker{MarksFormat::JUnit, junitComplaint},
 };
 
 /// Names that nobody should have.
-const Strings kNames{"anna",
-                     "=cmd|' /C calc'!A0",
-                     "+1",
-                     "-1",
-                     "@SUM(A1)",
-                     "\"quoted\", 'twice'",
-                     "two\nlines\r\n",
-                     "\ttab",
-                     "<script>alert(1)</script>",
-                     "</td></tr><img src=x onerror=alert(1)>",
-                     "a]]>b",
-                     "&amp; &#0; &copy",
-                     std::string{"\x01\x1b[31m\x7f\0", 8},
-                     "\xFF\xC3(",
-                     "\xED\xA0\x80 \xF5\x80\x80\x80 \xC0\xAF",
-                     "\xEF\xBF\xBE\xEF\xBF\xBF",
-                     "\u00c9mile \u4e2d \U0001F600",
-                     "\xc9mile",
-                     "{\"a\": 1}\\u0000\\",
-                     "; rm -rf /",
-                     "=\u202ecod.exe"};
+const Strings kNames = [] {
+  Strings names;
+  std::ifstream in{kDocumented + "names.txt"};
+  for (std::string line; std::getline(in, line);) names.push_back(unescaped(line));
+  return names;
+}();
 
 struct Environment {
   Environment() {
@@ -383,9 +315,11 @@ TEST(MarksFormats, AreCheckedAsDocumented) {
   ASSERT_EQ(kCheckers.size(), kMarksFormats.size());
   for (const Checker& checker : kCheckers) {
     SCOPED_TRACE(rowOf(checker.format).name);
-    EXPECT_EQ(checker.complaint(checker.example), "");
-    for (const auto& [from, to] : checker.spoilt) {
-      std::string spoilt = checker.example;
+    const Documented documented{rowOf(checker.format).name};
+    EXPECT_EQ(checker.complaint(documented.example), "");
+    EXPECT_FALSE(documented.spoilt.empty());
+    for (const auto& [from, to] : documented.spoilt) {
+      std::string spoilt = documented.example;
       ASSERT_NE(spoilt.find(from), spoilt.npos) << from;
       spoilt.replace(spoilt.find(from), from.size(), to);
       std::string what;

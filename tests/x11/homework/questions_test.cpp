@@ -6,9 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <map>
-#include <random>
 #include <regex>
 #include <set>
 #include <string>
@@ -26,21 +24,25 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-QuestionScene about(const std::string& name) {
-  const Scene scene = readScene(name);
-  PictureSettings s = scene.settings;
-  s.camera = scene.camera, s.width = 160, s.height = 120;
-  return QuestionScene{scene, s};
+/// A scene, and its own settings at a size.
+std::pair<Scene, PictureSettings> sized(const std::string& name, int width, int height) {
+  Scene scene = readScene(name);
+  PictureSettings settings = scene.settings;
+  settings.camera = scene.camera, settings.width = width, settings.height = height;
+  return {std::move(scene), settings};
 }
 
-struct V {
-  double x = 0, y = 0, z = 0;
-};
+QuestionScene about(const std::string& name) {
+  const auto [scene, settings] = sized(name, 160, 120);
+  return QuestionScene{scene, settings};
+}
+
+using V = glm::dvec3;
 std::vector<V> pointsIn(const std::string& text) {
   std::vector<V> all;
   const std::regex point{R"(\((-?[\d.]+), (-?[\d.]+), (-?[\d.]+)\))"};
   for (std::sregex_iterator at{text.begin(), text.end(), point}, end; at != end; ++at)
-    all.push_back({std::stod(at->str(1)), std::stod(at->str(2)), std::stod(at->str(3))});
+    all.emplace_back(std::stod(at->str(1)), std::stod(at->str(2)), std::stod(at->str(3)));
   return all;
 }
 /// The number behind these words.
@@ -49,8 +51,7 @@ double after(const ExamQuestion& q, const std::string& words) {
   EXPECT_NE(at, q.text.npos) << words << " in " << q.text;
   return at == q.text.npos ? NAN : std::stod(q.text.substr(at + words.size()));
 }
-double by(const V& a, const V& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-double angleBetween(const V& a, const V& b) { return std::acos(by(a, b) / std::sqrt(by(a, a) * by(b, b))); }
+double cosine(const V& a, const V& b) { return glm::dot(a, b) / (glm::length(a) * glm::length(b)); }
 
 /// The answer by another way than the program's.
 double answered(const ExamQuestion& q) {
@@ -68,11 +69,11 @@ double answered(const ExamQuestion& q) {
   }
   if (q.kind == "table-ratio") return std::pow(1 / after(q, "I0 = "), 1 / (after(q, "table has ") - 1));
   if (q.kind == "stored-value") return 257 * (after(q, "stored in cell ") - 10);
-  if (q.kind == "N.L") return std::cos(angleBetween(v[0], v[1]));
+  if (q.kind == "N.L") return cosine(v[0], v[1]);
   if (q.kind == "R.V") {
     // R.V = 2 (N.L)(N.V) - L.V
     const V N = v[0], L = v[1], V_ = v[2];
-    return 2 * std::cos(angleBetween(N, L)) * std::cos(angleBetween(N, V_)) - std::cos(angleBetween(L, V_));
+    return 2 * cosine(N, L) * cosine(N, V_) - cosine(L, V_);
   }
   if (q.kind == "equation") {
     const double NL = after(q, "N.L = ");
@@ -94,20 +95,10 @@ double answered(const ExamQuestion& q) {
     return (1 - t) * std::stod(of.str(1)) + t * std::stod(of.str(3));
   }
   if (q.kind == "normal") {
-    const V a = v[0], b = v[1], c = v[2];
-    const V N{(b.y - a.y) * (c.z - a.z) - (b.z - a.z) * (c.y - a.y),
-              (b.z - a.z) * (c.x - a.x) - (b.x - a.x) * (c.z - a.z),
-              (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)};
-    const double length = std::sqrt(by(N, N));
-    const char axis = q.text[q.text.find(" component") - 1];
-    return (axis == 'x' ? N.x : axis == 'y' ? N.y : N.z) / length;
+    const V N = glm::normalize(glm::cross(v[1] - v[0], v[2] - v[0]));
+    return N[q.text[q.text.find(" component") - 1] - 'x'];
   }
-  if (q.kind == "vertex-normal") {
-    const V a = v[0], b = v[1];
-    const double la = std::sqrt(by(a, a)), lb = std::sqrt(by(b, b));
-    const V sum{a.x / la + b.x / lb, a.y / la + b.y / lb, a.z / la + b.z / lb};
-    return sum.z / std::sqrt(by(sum, sum));
-  }
+  if (q.kind == "vertex-normal") return glm::normalize(glm::normalize(v[0]) + glm::normalize(v[1])).z;
   return NAN;
 }
 
@@ -198,9 +189,9 @@ double apart(const Listed& p, const Listed& q) {
 }
 /// The first of the depth sort's tests that passes.
 std::string settledBy(const Listed& P, const Listed& Q) {
-  const auto along = [](const Listed& p, double V::*axis) {
+  const auto along = [](const Listed& p, int axis) {
     std::vector<double> all;
-    for (const V& c : p.corners) all.push_back(c.*axis);
+    for (const V& c : p.corners) all.push_back(c[axis]);
     return all;
   };
   const auto onSide = [](const Listed& p, const Listed& plane, int side) {
@@ -208,8 +199,8 @@ std::string settledBy(const Listed& P, const Listed& Q) {
                                [&](const V& c) { return side * (c.z - zAt(plane, c.x, c.y)) > -0.1; });
   };
   constexpr double kTouch = -0.005;  // outlines that touch do not overlap
-  if (apart(along(P, &V::x), along(Q, &V::x)) > kTouch) return "1";
-  if (apart(along(P, &V::y), along(Q, &V::y)) > kTouch) return "2";
+  if (apart(along(P, 0), along(Q, 0)) > kTouch) return "1";
+  if (apart(along(P, 1), along(Q, 1)) > kTouch) return "2";
   if (onSide(P, Q, -1)) return "3";
   if (onSide(Q, P, 1)) return "4";
   if (apart(P, Q) > kTouch) return "5";
@@ -224,13 +215,11 @@ struct Second {
   std::set<int> fronts;
 };
 Second second(const std::string& name) {
-  const Scene scene = readScene(name);
-  PictureSettings s = scene.settings;
-  s.camera = scene.camera, s.width = 160, s.height = 120;
+  const std::pair<Scene, PictureSettings> own = sized(name, 160, 120);
   const auto with = [&](Order order, Cull cull = Cull::Keep) {
-    PictureSettings other = s;
+    PictureSettings other = own.second;
     other.order = order, other.cull = cull;
-    return makePicture(scene, other, 0);
+    return makePicture(own.first, other, 0);
   };
   Second all{with(Order::Oracle).faceImage(), with(Order::ZMean).faceImage(), {}};
   const Picture culled = with(Order::Unsorted, Cull::Back);
@@ -272,10 +261,7 @@ TEST(Questions, AboutTheSceneAreAnsweredByTheirTextAlone) {
       } else if (q.kind == "cut-place") {
         const std::vector<V> edge = pointsIn(q.text.substr(q.text.find("the edge")));
         double low = 0, high = 1;
-        const auto on = [&](double t) {
-          return V{edge[0].x + t * (edge[1].x - edge[0].x), edge[0].y + t * (edge[1].y - edge[0].y),
-                   edge[0].z + t * (edge[1].z - edge[0].z)};
-        };
+        const auto on = [&](double t) { return edge[0] + t * (edge[1] - edge[0]); };
         const auto inFront = [&](double t) { return on(t).z > zAt(polygons[1], on(t).x, on(t).y); };
         for (int k = 0; k < 50; ++k)
           (inFront((low + high) / 2) == inFront(0) ? low : high) = (low + high) / 2;
@@ -319,9 +305,9 @@ TEST(Questions, OfferWhatMistakesGive) {
     std::map<std::string, double> given;
     if (q.kind == "R.V") {
       const std::vector<V> v = pointsIn(q.text);
-      const double length = std::sqrt(by(v[0], v[0]));
+      const double length = glm::length(v[0]);
       given = {{"R reversed", -q.number}, {"V from the eye", -q.number}, {"L from the light", -q.number}};
-      const double LV = std::cos(angleBetween(v[1], v[2]));
+      const double LV = cosine(v[1], v[2]);
       given["R without its 2"] = (q.number + LV) / 2 - LV;
       given["N not of unit length"] = (q.number + LV) * length * length - LV;
     } else {
@@ -362,11 +348,9 @@ const std::vector<std::string> kScenes{"cycle", "nested-cycles", "penetrate",
                                        "bench", "two-cards",     "crossing-sheets"};
 
 Picture pictureOf(const std::string& name) {
-  Scene scene = readScene(name);
-  PictureSettings settings = scene.settings;
-  settings.camera = scene.camera, settings.width = 400, settings.height = 300,
+  auto [scene, settings] = sized(name, 400, 300);
   settings.order = Order::Unsorted;
-  return makePicture(std::move(scene), settings).withPlanes();
+  return makePicture(scene, settings).withPlanes();
 }
 
 std::string toldOf(const RunReport& report) { return page::asText(pageOf(report)); }
