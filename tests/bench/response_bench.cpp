@@ -1,7 +1,6 @@
 #include <benchmark/benchmark.h>
 #include <stdlib.h>
 
-#include <algorithm>
 #include <string>
 
 #include "tests/x11/support/x_server.h"

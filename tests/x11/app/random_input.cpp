@@ -1,9 +1,7 @@
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <deque>
-#include <fstream>
 #include <iostream>
 #include <random>
 #include <stdexcept>
@@ -44,11 +42,8 @@ struct Size {
   int resources = 0;
 };
 
-Size sizeOf(pid_t pid, Display* display, Window window) {
-  Size size;
-  long all = 0, resident = 0;
-  std::ifstream{"/proc/" + std::to_string(pid) + "/statm"} >> all >> resident;
-  size.megabytes = static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+Size sizeOf(const RunningProgram& program, Display* display, Window window) {
+  Size size{.megabytes = program.megabytes()};
   int count = 0;
   XResType* types = nullptr;
   if (XResQueryClientResources(display, window, &count, &types) != 0)
@@ -154,7 +149,7 @@ int giveRandomInput(const XServer& server, const std::vector<std::string>& start
     if (batch) program.signal(SIGCONT);
     if (!program.running()) return failed("the program has ended");
     usleep(10'000 + hands.below(batch ? 2'000'000 : 40'000));  // sometimes the program can keep up
-    const Size now = sizeOf(program.pid(), window.display(), window.id());
+    const Size now = sizeOf(program, window.display(), window.id());
     const double share = elapsed() / seconds;
     Size& quarter = share < 0.5 ? early : late;
     if (share < 0.5 || share > 0.75) {

@@ -9,9 +9,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <random>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -21,10 +20,11 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "shading/color/png.h"
 #include "shading/scene/settings.h"
-#include "tests/x11/support/program.h"
+#include "tests/x11/support/command_fixture.h"
+#include "tests/x11/support/program_picture.h"
 #include "tests/x11/support/x_server.h"
+#include "x11/options/shell_words.h"
 #include "x11/views/views.h"
 
 namespace xnewell {
@@ -68,12 +68,6 @@ std::vector<Place> numbersIn(const std::string& text) {
   return places;
 }
 
-std::string exactly(double v) {
-  std::array<char, 40> text;
-  std::snprintf(text.data(), text.size(), "%.17g", v);
-  return text.data();
-}
-
 template <std::size_t N>
 std::string oneOf(const std::array<const char*, N>& all, std::mt19937& rng) {
   return all[rng() % N];
@@ -81,16 +75,9 @@ std::string oneOf(const std::array<const char*, N>& all, std::mt19937& rng) {
 
 /// `v` and something that is little beside it, or beside 1.
 std::string nearly(double v, std::mt19937& rng) {
-  switch (below(4, rng)) {
-    case 0:
-      return exactly(std::nextafter(v, below(2, rng) == 0 ? 1e300 : -1e300));
-    case 1:
-      return exactly(v * (1 + std::pow(10.0, -below(16, rng))));
-    case 2:
-      return exactly(v + std::pow(10.0, -below(30, rng)));
-    default:
-      return exactly(v);
-  }
+  const std::array near{std::nextafter(v, below(2, rng) == 0 ? 1e300 : -1e300),
+                        v * (1 + std::pow(10.0, -below(16, rng))), v + std::pow(10.0, -below(30, rng)), v};
+  return number(near[rng() % near.size()]);
 }
 
 /// A number as withChangedNumbers() puts in, by itself.
@@ -110,7 +97,7 @@ std::string oddNumber(std::mt19937& rng) {
   const int most = what < 70 ? 20 : what < 85 ? 40 : 323;
   const int power = below(2 * most + 1, rng) - most;
   const std::string sign = below(3, rng) == 0 ? "-" : "",
-                    digits = below(2, rng) == 0 ? "1" : exactly(1 + below(9000, rng) / 1000.0);
+                    digits = below(2, rng) == 0 ? "1" : number(1 + below(9000, rng) / 1000.0);
   return sign + digits + "e" + std::to_string(std::min(power, 308));
 }
 
@@ -124,92 +111,130 @@ std::string withChangedNumbers(const std::string& text, std::mt19937& rng) {
     const std::vector<Place> places = numbersIn(changed);
     if (places.empty()) return changed;
     const std::size_t which = rng() % places.size();
-    const auto textOf = [&](std::size_t place) {
-      return changed.substr(places[place].first, places[place].count);
+    const auto valueOf = [&](std::size_t place) {
+      return std::atof(changed.substr(places[place].first, places[place].count).c_str());
     };
-    const auto valueOf = [&](std::size_t place) { return std::atof(textOf(place).c_str()); };
-    std::string number;
-    switch (below(10, rng)) {
-      case 0:
-        number = nearly(valueOf(which), rng);
-        break;
-      case 1:
-        number = nearly(valueOf(rng() % places.size()), rng);
-        break;
-      case 2:
-        number = nearly(valueOf(which >= 3 ? which - 3 : 0), rng);
-        break;  // the same axis of the last point
-      case 3:
-        number = exactly(-valueOf(which));
-        break;
-      case 4: {  // the line twice
-        const std::size_t at = places[which].first;
-        const std::size_t first = changed.rfind('\n', at) + 1,
-                          end = std::min(changed.find('\n', at), changed.size() - 1) + 1;
-        changed.insert(first, changed.substr(first, end - first));
-        continue;
-      }
-      default:
-        number = oddNumber(rng);
+    const int how = below(10, rng);
+    if (how == 0) {  // the line twice
+      const std::size_t at = places[which].first, first = changed.rfind('\n', at) + 1,
+                        end = std::min(changed.find('\n', at), changed.size() - 1) + 1;
+      changed.insert(first, changed.substr(first, end - first));
+      continue;
     }
-    changed.replace(places[which].first, places[which].count, number);
+    const std::size_t sameAxis = which >= 3 ? which - 3 : 0;  // of the last point
+    const std::string by = how == 1   ? nearly(valueOf(which), rng)
+                           : how == 2 ? nearly(valueOf(rng() % places.size()), rng)
+                           : how == 3 ? nearly(valueOf(sameAxis), rng)
+                           : how == 4 ? number(-valueOf(which))
+                                      : oddNumber(rng);
+    changed.replace(places[which].first, places[which].count, by);
   }
   return changed;
 }
 
 /// ---- Random command lines.
 
-/// A random command line, and what it promises.
-struct RandomWords {
-  std::vector<std::string> words;
-  std::vector<std::string> writes = {};  ///< the files that it writes into its folder, besides frames
-  bool printsJson = false;               ///< one JSON value
-  bool printsLines = false;              ///< one JSON value a line
+/// Command lines, and how many of a hundred are such. [words] may be left out, <a|b> is one of these, and
+/// braces hold so many numbers between two others, a whole number below another one, or a size of so many
+/// pixels a side.
+struct RandomLine {
+  int share;
+  const char* line;
+};
+constexpr std::array kLines{
+    RandomLine{30,
+               "draw SCENE -o OUT/a.png [--ids OUT/ids.png] {size:60} <--stats|--errors|> [SETTING] "
+               "[SETTING] OPTIONS"},
+    RandomLine{10,
+               "draw SCENE -o OUT/a.png {size:60} [[--accuracy <0.05|{1:0:1}> --budget 1]] [SETTING] "
+               "[SETTING] OPTIONS"},
+    RandomLine{10,
+               "snapshot SCENE -o OUT/a.png [--ids OUT/ids.png] {size:60} <--stats|--errors|> [SETTING] "
+               "[SETTING] OPTIONS"},
+    RandomLine{10, "<draw|draw|snapshot> SCENE -o OUT/view.png VIEW OPTIONS"},
+    RandomLine{6, "explain SCENE {below:60},{below:60} --size 60x60 [--json] OPTIONS"},
+    RandomLine{7, "trace SCENE {size:60} [--quick] OPTIONS"},
+    RandomLine{2, "trace SCENE --frames OUT/frames <{size:60}|--whole-window --size 800x600> OPTIONS"},
+    RandomLine{15, "extremes SCENE [-o OUT/chart.png] [--json] {size:16} OPTIONS"},
+    RandomLine{10,
+               "trade SCENE --budget 1 [-o OUT/chart.png] [--json] [--axes <shade,order|divisions>] "
+               "{size:32} OPTIONS"},
+};
+constexpr const char* kLesson = "lesson SCENE --size 800x600 --frames OUT/frames";
+constexpr const char* kOptions =
+    "[SETTING] [SETTING] [[CAMERA]] [[--divisions {below:13}]] [[[--max-fragments {below:3000}]]]";
+constexpr std::array kCameras{
+    "--eye {3:-8:8}",
+    "--eye {3:-3:3} --look-at {3:-2:2} --fov {1:0.001:179.999}",
+    "--fov {1:1e-9:180}",
+    "--parallel {1:0:12} <--up {3:-1:1}|--oblique cavalier:{1:0:360}>",
+    "--vrp {3:-2:2} --vpn {3:-1:1} --vup {3:-1:1} --prp {3:-9:9}",
+    "--view-window {4:-4:4}",
+    "--front {1:-9:9} --back {1:-30:0}",
 };
 
-/// The name of the folder that frames go to, in the folder of all files that are written.
-inline constexpr const char* kFrames = "frames";
-
+/// Makes the words of a command for a scene, with random options: most values are valid. It writes into the
+/// folder only.
 class Maker {
  public:
-  Maker(std::string folder, std::mt19937& rng) : folder_{std::move(folder)}, rng_{rng} {}
+  Maker(std::string scene, std::string folder, std::mt19937& rng)
+      : scene_{std::move(scene)}, folder_{std::move(folder)}, rng_{rng} {}
 
-  RandomWords make(const std::string& scene, bool server) {
-    const int what = below(100, rng_);
-    if (what < 40)
-      picture("draw", scene);
-    else if (what < 50 && server)
-      picture("snapshot", scene);
-    else if (what < 60)
-      view(server && oneIn(3) ? "snapshot" : "draw", scene);
-    else if (what < 66)
-      explain(scene);
-    else if (what < 75)
-      trace(scene);
-    else if (what < 90)
-      extremes(scene);
-    else
-      trade(scene);
+  Strings make() {
+    int what = below(100, rng_);
+    const RandomLine* line = kLines.data();
+    for (; what >= line->share; ++line) what -= line->share;
+    return wordsOf(line->line);
+  }
+  Strings wordsOf(const std::string& line) {
+    add(line);
     return std::move(made_);
   }
 
  private:
   bool oneIn(int n) { return below(n, rng_) == 0; }
-  void add(const std::vector<std::string>& words) {
-    made_.words.insert(made_.words.end(), words.begin(), words.end());
+  void add(std::string line) {
+    static const std::regex kChoice{R"(\[([^\]\[<>]*)\]|<([^\]\[<>]*)>)"};
+    for (std::smatch m; std::regex_search(line, m, kChoice);) {
+      const std::string all = m[1].matched ? m.str(1) + '|' : m.str(2);
+      std::istringstream choices{all + '|'};
+      std::string choice;
+      for (int k = 1 + below(1 + static_cast<int>(std::ranges::count(all, '|')), rng_); k > 0; --k)
+        std::getline(choices, choice, '|');
+      line = m.prefix().str() + choice + m.suffix().str();
+    }
+    for (const std::string& word : words(line)) {
+      if (word == "OPTIONS")
+        add(kOptions);
+      else if (word == "SETTING")
+        setting();
+      else if (word == "CAMERA")
+        add(kCameras[rng_() % kCameras.size()]);
+      else if (word == "VIEW")
+        view();
+      else
+        made_.push_back(word == "SCENE" ? scene_ : filled(word));
+    }
   }
-  void writes(const std::string& option, const std::string& name) {
-    add({option, folder_ + "/" + name});
-    made_.writes.push_back(name);
+  /// A word with values in the place of its braces.
+  std::string filled(std::string word) {
+    if (word.starts_with("OUT/")) return folder_ + word.substr(3);
+    static const std::regex kBraces{R"(\{(\w+):([^:}]*):?([^}]*)\})"};
+    for (std::smatch m; std::regex_search(word, m, kBraces);) {
+      const std::string kind = m.str(1);
+      std::string value;
+      if (kind == "below")
+        value = std::to_string(below(std::stoi(m.str(2)), rng_));
+      else if (kind == "size")
+        value = "--size=" + side(std::stoi(m.str(2))) + 'x' + side(std::stoi(m.str(2)));
+      else
+        value = numbers(std::stoi(kind), std::stod(m.str(2)), std::stod(m.str(3)));
+      word = m.prefix().str() + value + m.suffix().str();
+    }
+    return word;
   }
-
-  /// A size of at most so many pixels a side.
-  void size(int most) {
-    const auto side = [&] { return std::to_string(1 + below(oneIn(4) ? 8 : most, rng_)); };
-    const std::string width = side();
-    add({"--size", width + "x" + side()});
-  }
-  std::string number(double low, double high) {
+  std::string side(int most) { return std::to_string(1 + below(oneIn(4) ? 8 : most, rng_)); }
+  std::string between(double low, double high) {
     if (oneIn(6)) return oddNumber(rng_);
     std::array<char, 40> text;
     std::snprintf(text.data(), text.size(), "%.6g", std::uniform_real_distribution{low, high}(rng_));
@@ -217,7 +242,7 @@ class Maker {
   }
   std::string numbers(int count, double low, double high) {
     std::string all;
-    for (int k = 0; k < count; ++k) all += (k > 0 ? "," : "") + number(low, high);
+    for (int k = 0; k < count; ++k) all += (k > 0 ? "," : "") + between(low, high);
     return all;
   }
 
@@ -225,134 +250,35 @@ class Maker {
     const std::vector<Setting>& rows = settingRows();
     const Setting& row = rows[rng_() % rows.size()];
     // One option twice is refused, and so is the server's filler in most commands.
-    if (row.option.empty() || row.option == "--fill" ||
-        std::ranges::find(made_.words, row.option) != made_.words.end())
+    if (row.option.empty() || row.option == "--fill" || std::ranges::find(made_, row.option) != made_.end())
       return;
-    add({std::string{row.option}});
+    made_.emplace_back(row.option);
     const double low = std::max(row.range.low, -10.0), high = std::min(row.range.high, 250.0);
-    switch (row.field.kind) {
-      case ValueKind::Flag:
-        break;
-      case ValueKind::Choice:
-        add({std::string{row.field.choices[rng_() % row.field.choices.size()].name}});
-        break;
-      case ValueKind::Number:
-        add({number(low, high)});
-        break;
-      case ValueKind::Whole:
-        add({oneIn(8) ? oddNumber(rng_)
-                      : std::to_string(std::lround(low + (high - low) * below(1000, rng_) / 999))});
-        break;
-      case ValueKind::Triple:
-        add({numbers(3, std::max(low, -3.0), std::min(high, 3.0))});
-        break;
-    }
+    const double whole = std::round(low + (high - low) * below(1000, rng_) / 999);
+    if (row.field.kind == ValueKind::Choice)
+      made_.emplace_back(row.field.choices[rng_() % row.field.choices.size()].name);
+    else if (row.field.kind == ValueKind::Number)
+      made_.push_back(between(low, high));
+    else if (row.field.kind == ValueKind::Whole)
+      made_.push_back(oneIn(8) ? oddNumber(rng_) : number(whole));
+    else if (row.field.kind == ValueKind::Triple)
+      made_.push_back(numbers(3, std::max(low, -3.0), std::min(high, 3.0)));
   }
-  void camera() {
-    switch (below(8, rng_)) {
-      case 0:
-        return add({"--eye", numbers(3, -8, 8)});
-      case 1:
-        return add(
-            {"--eye", numbers(3, -3, 3), "--look-at", numbers(3, -2, 2), "--fov", number(0.001, 179.999)});
-      case 2:
-        return add({"--fov", number(1e-9, 180)});
-      case 3:
-        return add({"--parallel", number(0, 12), "--up", numbers(3, -1, 1)});
-      case 4:
-        return add({"--parallel", number(0, 12), "--oblique", "cavalier:" + number(0, 360)});
-      case 5:
-        return add({"--vrp", numbers(3, -2, 2), "--vpn", numbers(3, -1, 1), "--vup", numbers(3, -1, 1),
-                    "--prp", numbers(3, -9, 9)});
-      case 6:
-        return add({"--view-window", numbers(4, -4, 4)});
-      default:
-        return add({"--front", number(-9, 9), "--back", number(-30, 0)});
-    }
-  }
-  void options(int most) {
-    for (int k = below(most + 1, rng_); k > 0; --k) setting();
-    if (oneIn(3)) camera();
-    if (oneIn(4)) add({"--divisions", std::to_string(1 + below(12, rng_))});
-    if (oneIn(12)) add({"--max-fragments", std::to_string(1 + below(3000, rng_))});
-  }
-
-  void picture(const std::string& command, const std::string& scene) {
-    add({command, scene});
-    writes("-o", "picture.png");
-    if (oneIn(2)) writes("--ids", "ids.png");
-    size(60);
-    const int told = below(8, rng_);
-    if (told < 3) add({"--stats"});
-    if (told >= 3 && told < 7) add({"--errors"});
-    made_.printsJson = told < 7;
-    if (command == "draw" && oneIn(10))
-      add({"--accuracy", oneIn(2) ? "0.05" : number(0, 1), "--budget", "1"});
-    options(4);
-  }
-  void view(const std::string& command, const std::string& scene) {
-    add({command, scene});
-    writes("-o", "view.png");
+  void view() {
     std::size_t any = 0;
     while (any == 0 || !kViews[any].hasSheet()) any = rng_() % kViews.size();
     const ViewRow& row = kViews[any];
-    add({"--view", std::string{row.name}, "--size",
-         std::to_string(row.least.x) + "x" + std::to_string(row.least.y)});
-    if (row.id == View::MachBands && oneIn(2)) add({"--scanline", std::to_string(below(300, rng_))});
-    if (row.id == View::Colors && oneIn(2)) add({"--cell", std::to_string(below(256, rng_))});
-    options(2);
-  }
-  void trace(const std::string& scene) {
-    add({"trace", scene});
-    const bool frames = oneIn(5);
-    if (frames) add({"--frames", folder_ + "/" + kFrames});
-    if (frames && oneIn(4))
-      add({"--whole-window", "--size", "800x600"});
-    else
-      size(60);
-    if (!frames && oneIn(2)) add({"--quick"});
-    made_.printsLines = !frames;
-    options(2);
-  }
-  void explain(const std::string& scene) {
-    add({"explain", scene, std::to_string(below(60, rng_)) + "," + std::to_string(below(60, rng_))});
-    add({"--size", "60x60"});
-    made_.printsJson = oneIn(2);
-    if (made_.printsJson) add({"--json"});
-    options(3);
-  }
-  void extremes(const std::string& scene) {
-    add({"extremes", scene});
-    if (oneIn(2)) writes("-o", "chart.png");
-    made_.printsJson = oneIn(2);
-    if (made_.printsJson) add({"--json"});
-    size(16);
-    options(2);
-  }
-  void trade(const std::string& scene) {
-    add({"trade", scene, "--budget", "1"});
-    if (oneIn(2)) writes("-o", "chart.png");
-    made_.printsJson = oneIn(2);
-    if (made_.printsJson) add({"--json"});
-    if (oneIn(2)) add({"--axes", oneIn(2) ? "shade,order" : "divisions"});
-    size(32);
-    options(2);
+    const std::string more = row.id == View::MachBands ? "[--scanline {below:300}]"
+                             : row.id == View::Colors  ? "[--cell {below:256}]"
+                                                       : "";
+    add("--view " + std::string{row.name} + " --size " + std::to_string(row.least.x) + "x" +
+        std::to_string(row.least.y) + ' ' + more);
   }
 
-  std::string folder_;
+  std::string scene_, folder_;
   std::mt19937& rng_;
-  RandomWords made_;
+  Strings made_;
 };
-
-/// A command for a scene, at a small size, with random options: most values are valid. It writes into the
-/// folder only. `server`: also commands that need an X server.
-RandomWords randomWords(const std::string& scene, const std::string& folder, bool server, std::mt19937& rng) {
-  return Maker{folder, rng}.make(scene, server);
-}
-
-RandomWords wordsForLesson(const std::string& lesson, const std::string& folder) {
-  return {.words = {"lesson", lesson, "--size", "800x600", "--frames", folder + "/" + kFrames}};
-}
 
 /// ---- Runs.
 
@@ -370,11 +296,6 @@ const std::array kSources{
     fs::path{XNEWELL_DATA_DIR} / "teapot.bpt", fs::path{XNEWELL_TESTS_DATA_DIR} / "changed",
     fs::path{XNEWELL_TESTS_DATA_DIR} / "near"};
 
-std::string contents(const fs::path& file) {
-  std::ifstream in{file, std::ios::binary};
-  return {std::istreambuf_iterator<char>{in}, {}};
-}
-
 /// All files in a folder, sorted.
 std::vector<fs::path> filesBelow(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -382,13 +303,6 @@ std::vector<fs::path> filesBelow(const fs::path& folder) {
     if (!entry.is_directory()) files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
-}
-
-std::string quoted(const std::string& word) {
-  const bool plain = !word.empty() && word.find_first_not_of(
-                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRST"
-                                          "UVWXYZ0123456789-_./,=+:") == std::string::npos;
-  return plain ? word : "'" + word + "'";
 }
 
 /// The end of a run that may take only so much. `took` says what was too much.
@@ -399,24 +313,19 @@ struct Run {
 
 Run runWithin(const std::vector<std::string>& words, const std::string& display) {
   RunningProgram program{words, display};
-  const pid_t pid = program.pid();
   const auto start = std::chrono::steady_clock::now();
   Run run;
   for (useconds_t pause = 500; program.running(); pause = std::min<useconds_t>(2 * pause, 20'000)) {
     usleep(pause);
     timespec used{};
     clockid_t clock = 0;
-    if (clock_getcpuclockid(pid, &clock) == 0) clock_gettime(clock, &used);
-    long all = 0, resident = 0;
-    std::ifstream{"/proc/" + std::to_string(pid) + "/statm"} >> all >> resident;
-    const double megabytes =
-        static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+    if (clock_getcpuclockid(program.pid(), &clock) == 0) clock_gettime(clock, &used);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (static_cast<double>(used.tv_sec) > kMostSeconds)
       run.took = "took more than " + std::to_string(int(kMostSeconds)) + " s of the processor's time";
     else if (elapsed.count() > kMostWaiting * kMostSeconds)
       run.took = "did not end";
-    else if (megabytes > kMostMegabytes)
+    else if (program.megabytes() > kMostMegabytes)
       run.took = "took more than " + std::to_string(int(kMostMegabytes)) + " MB";
     if (run.took.empty()) continue;
     program.signal(SIGKILL);
@@ -441,25 +350,29 @@ std::string wrongMessages(const Finished& end) {
 }
 
 /// What is wrong with standard output; "" if nothing.
-std::string wrongOutput(const RandomWords& tried, const Finished& end) {
+std::string wrongOutput(const Strings& tried, const Finished& end) {
   if (end.status != 0) return end.out.empty() ? "" : "fails, and has written to standard output";
-  using Json = nlohmann::json;
-  if (tried.printsJson && !Json::accept(end.out)) return "prints what is no JSON";
+  const bool frames = std::ranges::count(tried, "--frames") > 0;
+  const bool json = std::ranges::any_of(tried, [](const std::string& word) {
+    return word == "--json" || word == "--stats" || word == "--errors";
+  });
+  if (json && !Json::accept(end.out)) return "prints what is no JSON";
   std::istringstream in{end.out};
-  if (tried.printsLines)
+  if (tried[0] == "trace" && !frames)
     for (std::string line; std::getline(in, line);)
       if (!Json::accept(line)) return "prints a line that is no JSON: " + line;
   return "";
 }
 
 /// What is wrong with the files that it has left; "" if nothing.
-std::string wrongFiles(const RandomWords& tried, const Finished& end, const fs::path& folder) {
+std::string wrongFiles(const Strings& tried, const Finished& end, const fs::path& folder) {
   std::set<std::string> missing;
   // A slow build times nothing within a small budget. Then a trade has no chart to write, and says so.
   const bool noChart = end.err.find("no chart was written: nothing was timed") != std::string::npos;
-  if (end.status == 0 && !noChart) missing.insert(tried.writes.begin(), tried.writes.end());
+  for (std::size_t k = 1; k < tried.size() && end.status == 0 && !noChart; ++k)
+    if (tried[k - 1] == "-o" || tried[k - 1] == "--ids") missing.insert(fs::path{tried[k]}.filename());
   for (const fs::path& file : filesBelow(folder)) {
-    const bool frame = file.parent_path().filename() == kFrames && file.extension() == ".png";
+    const bool frame = file.parent_path().filename() == "frames" && file.extension() == ".png";
     if (!frame && missing.erase(file.filename().string()) == 0)
       return "has left " + file.filename().string() + " behind";
     try {
@@ -472,7 +385,7 @@ std::string wrongFiles(const RandomWords& tried, const Finished& end, const fs::
 }
 
 /// What is wrong with a run; "" if nothing.
-std::string wrongIn(const RandomWords& tried, const Run& run, const fs::path& folder) {
+std::string wrongIn(const Strings& tried, const Run& run, const fs::path& folder) {
   if (!run.took.empty()) return run.took;
   if (run.end.status > 128) return std::string{"ends by signal: "} + strsignal(run.end.status - 128);
   if (run.end.status < 0 || run.end.status > 2) return "ends with status " + std::to_string(run.end.status);
@@ -496,7 +409,7 @@ bool tryCase(unsigned seed, int number, const fs::path& folder, const std::strin
   std::erase_if(scenes, [](const fs::path& f) { return f.extension() == ".png" || f.extension() == ".mtl"; });
   const fs::path scene = scenes[rng() % scenes.size()];
   const auto change = [&](const fs::path& file) {
-    const std::string text = withChangedNumbers(contents(file), rng);
+    const std::string text = withChangedNumbers(contents(file.string()), rng);
     std::ofstream{file, std::ios::binary} << text;
   };
   // Most often the file itself is changed, and sometimes those that it may name.
@@ -507,11 +420,9 @@ bool tryCase(unsigned seed, int number, const fs::path& folder, const std::strin
          {folder / "square.bpt", folder / "teapot.bpt", folder / "changed" / "boxes.mtl"})
       if (file != scene) change(file);
 
-  const RandomWords tried =
-      scene.parent_path().filename() == "lessons"
-          ? wordsForLesson(scene.string(), (folder / "out").string())
-          : randomWords(scene.string(), (folder / "out").string(), !display.empty(), rng);
-  const Run run = runWithin(tried.words, display);
+  Maker maker{scene.string(), (folder / "out").string(), rng};
+  const Strings tried = scene.parent_path().filename() == "lessons" ? maker.wordsOf(kLesson) : maker.make();
+  const Run run = runWithin(tried, display);
   const std::string wrong = wrongIn(tried, run, folder / "out");
   if (wrong.empty()) {
     ++ends[run.end.status];
@@ -519,7 +430,7 @@ bool tryCase(unsigned seed, int number, const fs::path& folder, const std::strin
     return true;
   }
   std::string command = builtProgram();
-  for (const std::string& word : tried.words) command += " " + quoted(word);
+  for (const std::string& word : tried) command += " " + quoted(word);
   std::ofstream{folder / "command"} << command << '\n';
   std::ofstream{folder / "said"} << run.end.err;
   std::cerr << "random_files: seed " << seed << ", case " << number << ": it " << wrong << "\n  " << command

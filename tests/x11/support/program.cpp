@@ -7,12 +7,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 #include <system_error>
 #include <thread>
-
-#include "tests/x11/support/child.h"
 
 namespace xnewell {
 
@@ -25,6 +27,27 @@ std::string contents(int file) {
   return text;
 }
 
+/// For execvpe(): this program's environment with DISPLAY as given, or without it where `display` is empty;
+/// without a home, where a window would keep answers.
+std::vector<std::string> environmentWith(const std::string& display) {
+  std::vector<std::string> environment;
+  for (char** e = environ; *e != nullptr; ++e)
+    if (std::ranges::none_of(std::array<std::string_view, 3>{"DISPLAY=", "HOME=", "XDG_STATE_HOME="},
+                             [e](std::string_view name) { return std::string_view{*e}.starts_with(name); }))
+      environment.emplace_back(*e);
+  if (!display.empty()) environment.push_back("DISPLAY=" + display);
+  return environment;
+}
+
+/// Pointers to the strings, and a null at the end; made before fork(), after which nothing may be allocated.
+std::vector<char*> pointers(std::vector<std::string>& strings) {
+  std::vector<char*> result;
+  result.reserve(strings.size() + 1);
+  for (std::string& s : strings) result.push_back(s.data());
+  result.push_back(nullptr);
+  return result;
+}
+
 }  // namespace
 
 std::string builtProgram(const std::string& name) {
@@ -35,7 +58,7 @@ RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const 
     : RunningProgram{builtProgram(), arguments, display} {}
 
 RunningProgram::RunningProgram(const std::string& program, const std::vector<std::string>& arguments,
-                               const std::string& display)
+                               const std::string& display, int onCrash)
     : out_{memfd_create("standard output", MFD_CLOEXEC)}, err_{memfd_create("standard error", MFD_CLOEXEC)} {
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -47,7 +70,7 @@ RunningProgram::RunningProgram(const std::string& program, const std::vector<std
   if (pid_ < 0) throw std::system_error{errno, std::generic_category(), "fork"};
   if (pid_ > 0) return;
   // Only calls that are safe between fork and exec.
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  prctl(PR_SET_PDEATHSIG, onCrash);
   if (getppid() != parent) _exit(126);  // the parent died before we could ask
   dup2(open("/dev/null", O_RDONLY | O_CLOEXEC), STDIN_FILENO);
   dup2(out_, STDOUT_FILENO);
@@ -81,6 +104,14 @@ void RunningProgram::reap(int options) {
   pid_ = -1;
   status_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
+
+double RunningProgram::megabytes() const {
+  long all = 0, resident = 0;
+  std::ifstream{"/proc/" + std::to_string(pid_) + "/statm"} >> all >> resident;
+  return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+std::string RunningProgram::output() const { return contents(out_); }
 
 Finished RunningProgram::wait(std::chrono::seconds limit) {
   const auto end = std::chrono::steady_clock::now() + limit;

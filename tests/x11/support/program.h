@@ -3,6 +3,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,10 @@ struct Finished {
 class RunningProgram {
  public:
   explicit RunningProgram(const std::vector<std::string>& arguments, const std::string& display = "");
-  /// Any other program of the machine. A program that does not exist ends with 127, as for a shell.
+  /// Any other program of the machine. A program that does not exist ends with 127, as for a shell. It gets
+  /// the signal `onCrash` when the test program crashes.
   RunningProgram(const std::string& program, const std::vector<std::string>& arguments,
-                 const std::string& display);
+                 const std::string& display, int onCrash = SIGKILL);
   RunningProgram(const RunningProgram&) = delete;
   RunningProgram& operator=(const RunningProgram&) = delete;
   ~RunningProgram();
@@ -39,6 +41,8 @@ class RunningProgram {
   [[nodiscard]] pid_t pid() const { return pid_; }  ///< -1 after wait()
   [[nodiscard]] bool running();
   void signal(int number) const;
+  [[nodiscard]] double megabytes() const;    ///< of memory that it uses
+  [[nodiscard]] std::string output() const;  ///< what it has written to standard output so far
   /// Waits for the end, and kills the program after `limit`. Later calls give the same answer.
   Finished wait(std::chrono::seconds limit = std::chrono::seconds{150});
 

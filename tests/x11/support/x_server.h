@@ -1,9 +1,10 @@
 #pragma once
 
-#include <sys/types.h>
-
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "tests/x11/support/program.h"
 
 namespace xnewell {
 
@@ -16,18 +17,19 @@ class XServer {
   static XServer xvfb(int depth, int width = 640, int height = 480, std::vector<std::string> more = {});
   static XServer xephyr(const XServer& host, int depth, int width = 320, int height = 240);
   /// Any program that takes -displayfd. `host` is that program's own $DISPLAY; empty for none.
-  XServer(const std::string& program, std::vector<std::string> arguments, const std::string& host = {});
+  XServer(const std::string& program, const std::vector<std::string>& arguments,
+          const std::string& host = {});
   ~XServer() { stop(); }
-  XServer(XServer&& o) noexcept;
+  XServer(XServer&&) noexcept = default;
   XServer& operator=(XServer&&) = delete;
 
   [[nodiscard]] const std::string& name() const { return name_; }  ///< as in ":7"
-  [[nodiscard]] pid_t pid() const { return pid_; }
+  [[nodiscard]] pid_t pid() const { return running_->pid(); }
   /// Ends the server and waits until it is gone: asks it to end, and kills it after 5 s.
   void stop();
 
  private:
-  pid_t pid_ = -1;
+  std::unique_ptr<RunningProgram> running_;
   std::string name_;
 };
 
