@@ -14,7 +14,7 @@ program_packages=(cmake ninja-build libx11-dev libxext-dev libglm-dev libpng-dev
   nlohmann-json3-dev libcli11-dev libfreetype-dev xfonts-base)
 [[ ${CXX:-} ]] || program_packages=(g++ "${program_packages[@]}")
 test_packages=(libgtest-dev libgmock-dev libxres-dev libxtst-dev
-  xvfb xserver-xephyr tigervnc-standalone-server twm x11-apps universal-ctags)
+  xvfb xserver-xephyr tigervnc-standalone-server twm universal-ctags)
 
 # All messages go to standard error, because standard output belongs to the program.
 say() { printf 'xnewell: %s\n' "$*" >&2; }
