@@ -38,14 +38,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// What the table of options makes of an address.
-Options optionsOf(std::string_view address) {
-  const std::vector<std::string> words = argumentsOf(address);
-  std::vector<const char*> arguments{"xnewell"};
-  for (const std::string& word : words) arguments.push_back(word.c_str());
-  return parseOptions(static_cast<int>(arguments.size()), arguments.data()).value();
-}
-
 /// What the scene asks for, in its units, at a small size.
 PictureSettings setupOf(const Scene& scene) {
   PictureSettings settings = scene.settings;
@@ -230,45 +222,6 @@ TEST(Options, WorkWhereTheirRowSays) {
   EXPECT_GT(refusals, 150);
 }
 
-// A view refuses options that do not apply to it, and a size too small for its words.
-TEST(Options, RefuseWhatAViewCannotHeed) {
-  for (const ViewRow& row : kViews) {
-    if (row.id == View::Picture || !row.hasSheet()) continue;
-    const std::string name{row.name}, view = "--view " + name;
-    const std::string width = std::to_string(row.least.x), height = std::to_string(row.least.y);
-    EXPECT_EQ(complaint({"--view", name, "--size", width + "x" + height}), "");
-    for (const std::string& small :
-         {std::to_string(row.least.x - 1) + "x8192", "8192x" + std::to_string(row.least.y - 1)})
-      EXPECT_EQ(complaint({"--view", name, "--size", small}),
-                view + " needs a --size of at least " + width + "x" + height);
-    EXPECT_EQ(complaint({"--view", name}), "") << "the size without --size is too small";
-    EXPECT_EQ(complaintAll({"--view", name}), "");
-    EXPECT_EQ(complaintAll({"--view", name, "--size", "799x540"}),
-              view + " needs a --size of at least 800x540");
-    EXPECT_EQ(complaintAll({"trace", "teapot", "--view", name}),
-              "--view works only with view, draw and snapshot");
-    const std::string more =
-        view + " is not just the picture: --stats, --errors and --ids work only with --view picture";
-    EXPECT_EQ(complaint({"--view", name, "--ids", "i.png"}), more);
-    EXPECT_EQ(complaint({"--view", name, "--stats"}), more);
-    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}), "");
-    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--fill", "x11", "--view", name}),
-              view + " uses the scanline filler: leave out --fill x11");
-  }
-  // The others are drawn in the window only.
-  int inTheWindow = 0;
-  for (const ViewRow& row : kWindowViews) {
-    const std::string name{row.name};
-    if (row.hasSheet()) continue;
-    ++inTheWindow;
-    EXPECT_EQ(complaintAll({"--view", name}), "");
-    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}), "");
-    EXPECT_EQ(complaint({"--view", name}),
-              "--view " + name + " is a view of the window: use view, or snapshot --whole-window");
-  }
-  EXPECT_GE(inTheWindow, 4);
-}
-
 TEST(Address, IsACommandLine) {
   EXPECT_THAT(argumentsOf(""), IsEmpty());
   EXPECT_THAT(argumentsOf("teapot&view=pixel&pixel=288,158&shade=phong"),
@@ -277,11 +230,11 @@ TEST(Address, IsACommandLine) {
   EXPECT_THAT(argumentsOf("view=colours"), ElementsAre("--view=colours"));
   EXPECT_THAT(argumentsOf("a%26b%20c.obj&dither&%zz%2"), ElementsAre("a&b c.obj", "--dither", "--%zz%2"));
 
-  const Options pixel = optionsOf("teapot&view=pixel&pixel=288,158&shade=phong");
+  const Options pixel = parsed(argumentsOf("teapot&view=pixel&pixel=288,158&shade=phong"));
   EXPECT_EQ(pixel.window.view, View::Pixel);
   EXPECT_EQ(pixel.window.pixel, (glm::ivec2{288, 158}));
-  EXPECT_EQ(optionsOf("lesson&cycles&step=3").window.step, 3);
-  EXPECT_THROW((void)optionsOf("teapot&view=pixels"), UsageError);
+  EXPECT_EQ(parsed(argumentsOf("lesson&cycles&step=3")).window.step, 3);
+  EXPECT_THROW((void)parsed(argumentsOf("teapot&view=pixels")), UsageError);
 }
 
 // The link that `C` copies shows what its command shows, without the size of the picture and its file.
@@ -296,11 +249,9 @@ TEST(Address, IsThatOfACommand) {
   EXPECT_EQ(addressOf("xnewell snapshot teapot --beside 'order=none shade=phong'"),
             "teapot&beside=order%3Dnone%20shade%3Dphong");
   EXPECT_EQ(addressOf("xnewell 'not ended"), "");
-  for (const char* const command :
-       {"xnewell snapshot 'a&b=c%20.obj' --beside 'order=none' --dither --eye=-3,4,9"}) {
-    const std::vector<std::string> words = argumentsOf(addressOf(command));
-    EXPECT_THAT(words, ElementsAre("a&b=c%20.obj", "--beside=order=none", "--dither", "--eye=-3,4,9"));
-  }
+  EXPECT_THAT(
+      argumentsOf(addressOf("xnewell snapshot 'a&b=c%20.obj' --beside 'order=none' --dither --eye=-3,4,9")),
+      ElementsAre("a&b=c%20.obj", "--beside=order=none", "--dither", "--eye=-3,4,9"));
 }
 
 // A page that begins with a lesson holds the lesson's own files beside each other, and no byte of them ends
@@ -340,8 +291,7 @@ TEST_F(SetupCommandTest, DrawsTheSameFile) {
   std::mt19937 rng{11};
   int drawn = 0, kept = 0, lit = 0;
   for (const std::string& name :
-       {setup, worn, far, half, std::string{"teapot"}, std::string{"colored-lights"},
-        std::string{"textured-cube"}, std::string{"spotlight"}, std::string{"hues"}})
+       Strings{setup, worn, far, half, "teapot", "colored-lights", "textured-cube", "spotlight", "hues"})
     for (int trial = 0; trial < (kSanitized ? 4 : 16); ++trial) {
       Scene scene = readScene(name, 4);
       PictureSettings settings = setupOf(scene);
@@ -373,13 +323,12 @@ TEST_F(SetupCommandTest, DrawsTheSameFile) {
   EXPECT_GT(lit, kSanitized ? 1 : 10);
 }
 
-// A picture of a lesson opens the lesson, and only a window can show one.
+// A picture of a lesson opens the lesson.
 TEST(CarriedSetup, APictureOfALessonOpensIt) {
   const TemporaryFolder folder;
   const std::string own = folder.write("my own.json", ""),
                     file = picture(folder, lessonNote("cycles", {1700, 1300}, 2, 3)),
-                    ofOwn = picture(folder, lessonNote("my own.json", {900, 700}, 1, 2), "b.png"),
-                    ofNone = picture(folder, lessonNote("no.json", {900, 700}, 1, 2), "c.png");
+                    ofOwn = picture(folder, lessonNote("my own.json", {900, 700}, 1, 2), "b.png");
   const Options opened = parsed({file});
   EXPECT_EQ(opened.command, Command::Lesson);
   EXPECT_EQ(opened.scene, "cycles");
@@ -388,32 +337,6 @@ TEST(CarriedSetup, APictureOfALessonOpensIt) {
   EXPECT_EQ(opened.scale, 2);
   EXPECT_EQ(parsed({file, "--step", "1"}).window.step, 1);
   EXPECT_EQ(parsed({ofOwn}).scene, own);
-  EXPECT_EQ(complaintAll({"draw", file, "-o", "no.png"}),
-            file + ": it shows a lesson, which opens in a window: xnewell " + file);
-  EXPECT_EQ(complaintAll({file, "--shade", "flat"}),
-            file + ": --shade does not work with lesson: the lesson decides how its steps are drawn");
-  EXPECT_EQ(complaintAll({"draw", ofNone, "-o", "no.png"}),
-            ofNone + ": the scene of the set-up that it carries, no.json, is not there");
-}
-
-// A scene's file is found from the picture's folder, beside the picture although its folder has changed, and
-// also if its name needs quotes.
-TEST(CarriedSetup, FindsTheScenesFile) {
-  const TemporaryFolder folder;
-  std::filesystem::create_directory(folder.path() / "sub");
-  const auto scene = [&](const std::string& name) {
-    return parsed({"draw", picture(folder, "xnewell draw " + name + " -o picture.png"), "-o", "no.png"})
-        .scene;
-  };
-  const std::string below = folder.write("sub/it.obj", ""), quoted = folder.write("it's one.obj", "");
-  EXPECT_EQ(scene("sub/it.obj"), below);
-  EXPECT_EQ(scene(below), below);
-  EXPECT_EQ(scene("'it'\\''s one.obj'"), quoted);
-  const std::string odd = "it's\n\t\x1b[2J\\\xc3\xa9.obj";
-  EXPECT_EQ(scene(xnewell::quoted(odd)), folder.write(odd, ""));
-  const std::string beside = folder.write("it.obj", "");
-  EXPECT_EQ(scene("sub/it.obj"), below);
-  EXPECT_EQ(scene("elsewhere/it.obj"), beside);
 }
 
 }  // namespace xnewell::THIS_FILE

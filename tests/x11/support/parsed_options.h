@@ -26,17 +26,7 @@ inline Options drawn(std::vector<std::string> arguments) {
   return parsed(arguments);
 }
 
-/// The complaint about `draw teapot -o no.png` and these; "" if there is none.
-inline std::string complaint(const std::vector<std::string>& arguments) {
-  try {
-    static_cast<void>(drawn(arguments));
-  } catch (const UsageError& e) {
-    return e.what();
-  }
-  return "";
-}
-
-/// The same of any words.
+/// The complaint about these words; "" if there is none.
 inline std::string complaintAll(const std::vector<std::string>& arguments) {
   try {
     static_cast<void>(parsed(arguments));

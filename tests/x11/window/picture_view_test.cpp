@@ -4,8 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "tests/support/seeds.h"
-#include "tests/x11/support/command_fixture.h"
 #include "tests/x11/support/ready_workbench.h"
 #include "tests/x11/support/staged_view.h"
 #include "x11/views/cell_facts.h"
@@ -48,8 +46,6 @@ Controls sliders() {
     if (setting.slider) all.push_back(controlOf(setting.control, s));
   return all;
 }
-
-using OptionsWithoutEffect = CommandTest;
 
 }  // namespace
 
@@ -228,21 +224,6 @@ TEST(PictureView, TheStripIsOfWhatIsShown) {
   }
 }
 
-// Ia and Ip push each other: their sum never exceeds 1, and pushing back leaves no dust.
-TEST(Controls, IntensitiesPushEachOther) {
-  xnewell::Setup s;
-  for (int k = 0; k <= 100; ++k) {
-    controlOf('i', s).set(k / 100.0);
-    ASSERT_LE(s.picture.light.Ia + s.picture.light.Ip, 1.0);
-    ASSERT_EQ(s.picture.light.Ia, k / 100.0);
-  }
-  EXPECT_EQ(s.picture.light.Ip, 0.0);
-  controlOf('p', s).set(0.3);
-  EXPECT_EQ(s.picture.light.Ia, 0.7);
-  controlOf('p', s).set(0.1);
-  EXPECT_EQ(s.picture.light.Ia, 0.7);  // with room to spare nobody is pushed
-}
-
 // A control of a setting has the setting's own words, and acts on it alone.
 TEST(Controls, AreRowsOfSettings) {
   std::size_t controls = 0;
@@ -317,65 +298,6 @@ TEST(Controls, LightAngles) {
   turnLight(light, UpAxis::Z, 90, 0, centre);
   EXPECT_NEAR(glm::distance(light.position, centre), 5, 1e-12);
   EXPECT_NEAR(lightAngles(light, UpAxis::Z, centre).azimuth, 90, 1e-9);
-}
-
-// An option without effect is noted in one line, and the picture is the same. Where the option has an effect
-// there is no note, and the picture is another.
-TEST_F(OptionsWithoutEffect, AreNamed) {
-  struct Case {
-    Strings option, moot, counts;
-  };
-  const std::vector<Case> cases{
-      {{"--normals", "sum"}, {"--shade", "flat"}, {"--shade", "phong"}},
-      {{"--crease", "30"}, {"--shade", "gouraud"}, {"--shade", "gouraud", "--normals", "sum"}},
-      {{"--polygons", "rows"}, {"--shade", "phong"}, {"--shade", "gouraud"}},
-      {{"--environment", "published"}, {"--shade", "phong"}, {"--shade", "envmap"}},
-      {{"--mapping", "affine"}, {"--shade", "flat"}, {"--shade", "phong"}},
-      {{"--sided", "one"}, {"--shade", "depth"}, {"--shade", "flat"}},
-      {{"--ia", "0.1"}, {"--shade", "none"}, {}},
-      {{"--ip", "0.1"}, {"--shade", "none"}, {}},
-      {{"--ka", "0.1"}, {"--shade", "none"}, {}},
-      {{"--kd", "0.1"}, {"--shade", "none"}, {}},
-      {{"--ks", "0.9"}, {"--shade", "depth"}, {}},
-      {{"--light", "1,0,1"}, {"--shade", "depth"}, {}},
-      {{"--light-at", "1,-4,1"}, {"--shade", "depth"}, {}},
-      {{"--constant-v"}, {"--ks", "0"}, {}},
-      {{"--mistake", "n-forgotten"}, {"--shade", "envmap"}, {"--shade", "phong"}},
-      {{"--n", "3"}, {"--ks", "0"}, {}},
-      {{"--form", "half-vector"}, {"--ks", "0"}, {}},
-      {{"--half-vector"}, {"--shade", "none"}, {}},
-      {{"--half-vector"}, {"--shade", "envmap"}, {"--shade", "phong"}},
-      {{"--form", "tutorial"}, {"--shade", "envmap"}, {"--shade", "phong"}},
-      {{"--constant-v"}, {"--shade", "envmap"}, {"--shade", "phong"}},
-      {{"--constant-v"}, {"--form", "tutorial"}, {}},
-      {{"--constant-l"},
-       {"--light-at", "1,-4,1", "--shade", "envmap"},
-       {"--light-at", "1,-4,1", "--shade", "phong"}},
-      {{"--shades", "20"}, {"--colors", "cube"}, {"--colors", "chosen"}},
-      {{"--table", "corrected"}, {"--colors", "cube"}, {}},
-      {{"--i0", "0.2"}, {}, {"--table", "corrected"}},
-      {{"--pick", "search"}, {"--table", "brief"}, {"--table", "corrected", "--i0", "0.0001"}},
-      {{"--hue", "0,1,0"}, {"--colors", "chosen"}, {}},
-      {{"--dither"}, {}, {"--colors", "cube"}},
-  };
-  const auto drawn = [&](const Strings& options) {
-    const Finished end = runProgram(
-        Strings{"draw", "teapot", "--divisions", "4", "--size", "80x60", "--bare", "-o", file("new.png")} +
-        options);
-    EXPECT_EQ(end.status, 0) << end.err;
-    return std::pair{end.err, contents(file("new.png"))};
-  };
-  for (const Case& c : someOf(cases, 6)) {
-    SCOPED_TRACE(c.option[0]);
-    const auto [told, picture] = drawn(c.option + c.moot);
-    EXPECT_EQ(told.rfind("xnewell: note: " + c.option[0] + " has no effect here; it applies to ", 0), 0u)
-        << told;
-    EXPECT_EQ(std::ranges::count(told, '\n'), 1);
-    EXPECT_EQ(picture, drawn(c.moot).second);
-    const auto [nothing, other] = drawn(c.option + c.counts);
-    EXPECT_EQ(nothing, "");
-    EXPECT_NE(other, drawn(c.counts).second);
-  }
 }
 
 }  // namespace xnewell::THIS_FILE
