@@ -1,11 +1,9 @@
-#include <dlfcn.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 #include <memory>
 #include <random>
 #include <set>
@@ -13,18 +11,18 @@
 #include <vector>
 
 #include "tests/x11/support/watched_viewer.h"
+#include "tests/x11/support/x_proxy.h"
 #include "tests/x11/support/x_session.h"
 
 #include <X11/Xproto.h>
 #include <X11/keysym.h>
 
-#include "x11/app/snapshot.h"
-#include "x11/command/report.h"
 #include "x11/server/canvas.h"
 #include "x11/server/read_visuals.h"
 
 namespace xnewell::THIS_FILE {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 // Sharing the cells of the default map with other programs: with few free cells, with none, and with programs
@@ -110,13 +108,6 @@ std::vector<std::array<int, 3>> firstRow(const RgbImage& image) {
   return row;
 }
 
-/// While an object of this class exists, the server refuses new colormaps.
-struct NoMoreColormaps {
-  static inline int alive = 0;
-  NoMoreColormaps() { ++alive; }
-  ~NoMoreColormaps() { --alive; }
-};
-
 /// The mean difference of a channel between two pictures, each taken as the means of its blocks of 8 x 8
 /// pixels.
 double missOfBlocks(const RgbImage& seen, const RgbImage& wanted) {
@@ -136,14 +127,6 @@ double missOfBlocks(const RgbImage& seen, const RgbImage& wanted) {
 std::size_t lines(const std::string& text) { return std::ranges::count(text, '\n'); }
 
 }  // namespace
-
-/// Replaces Xlib's function. BadAlloc comes from the server, for a pixmap that is too large.
-extern "C" Colormap XCreateColormap(Display* display, Window window, Visual* visual, int allocated) {
-  if (NoMoreColormaps::alive > 0) return XCreatePixmap(display, window, 40'000, 1, 1);
-  using Create = Colormap (*)(Display*, Window, Visual*, int);
-  static const auto xlibs = reinterpret_cast<Create>(dlsym(RTLD_NEXT, "XCreateColormap"));
-  return xlibs(display, window, visual, allocated);
-}
 
 // A program that shares gets all free cells, shows its shades exactly, and can change them live. With no free
 // cells, or with so few that the map's colours show more, it mixes the map's colours. RENDER's map has many;
@@ -484,14 +467,10 @@ TEST(SharedCellsProgram, AreDividedAnewForAnotherScene) {
 
 // The window's status line tells the number of shades. A new hue is stored and nothing is drawn.
 TEST(SharedCellsProgram, StoringShowsInTheWindow) {
-  struct Case {
-    int depth;
-    std::string line;
-  };
-  for (const Case& at : {Case{8, "--colormap shared"}, Case{24, "--visual DirectColor24"}}) {
-    SCOPED_TRACE(at.line);
-    const XServer server = XServer::xvfb(at.depth, 1280, 1024);
-    const WatchedViewer viewer{server, "teapot --divisions 3 " + at.line};
+  for (const auto& [depth, line] : {std::pair{8, "--colormap shared"}, {24, "--visual DirectColor24"}}) {
+    SCOPED_TRACE(line);
+    const XServer server = XServer::xvfb(depth, 1280, 1024);
+    const WatchedViewer viewer{server, std::string{"teapot --divisions 3 "} + line};
     ASSERT_TRUE(viewer.window.settles());
     RequestRecord record{server, viewer.window.id()};
     viewer.window.type("H");
@@ -506,40 +485,26 @@ TEST(SharedCellsProgram, StoringShowsInTheWindow) {
 // that needs another map is refused.
 TEST(SharedCellsProgram, ServeWhereNoMapCanBeMade) {
   const TemporaryFolder folder;
-  std::string file;  // another one each time: what was read is not written
   const XServer server = XServer::xvfb(8);
-  ASSERT_EQ(setenv("DISPLAY", server.name().c_str(), 1), 0);
-  const NoMoreColormaps from;
+  XProxy proxy{server};
   const auto snapshot = [&](const std::string& more) {
-    file = folder.file("picture" + std::to_string(more.size()) + ".png");
-    const std::vector<std::string> line = words("xnewell snapshot cycle --size 160x120 -o " + file + more);
-    std::vector<const char*> arguments;
-    for (const std::string& word : line) arguments.push_back(word.c_str());
-    Options options = parseOptions(static_cast<int>(line.size()), arguments.data()).value();
-    settle(options, {});
-    testing::internal::CaptureStderr();
-    try {
-      takeSnapshot(options, readScene(options.scene, 3),
-                   [&](const Picture& picture, const std::string& png, const StageTimes&, const Sent&) {
-                     writePictures(options, picture, png);
-                   });
-    } catch (const X11Error& e) {
-      return testing::internal::GetCapturedStderr() + "thrown: " + e.what();
-    }
-    return testing::internal::GetCapturedStderr();
+    proxy.begin(XFaultPlan{.request = {X_CreateColormap}});
+    return runProgram(words("snapshot cycle --size 160x120 -o " + folder.file("picture.png") + more),
+                      proxy.name());
   };
-  const std::string told = snapshot("");
-  EXPECT_EQ(lines(told), 1u) << told;
-  EXPECT_THAT(told, HasSubstr("xnewell: the X server has no room for another colormap ("));
-  EXPECT_THAT(told, HasSubstr("BadAlloc"));
-  EXPECT_THAT(told, HasSubstr("153 of 240 shades"));
-  const RgbImage picture = readPng(file);
+  const Finished refused = snapshot("");
+  EXPECT_EQ(refused.status, 0);
+  EXPECT_EQ(lines(refused.err), 1u) << refused.err;
+  EXPECT_THAT(refused.err, testing::StartsWith("xnewell: the X server has no room for another colormap ("));
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("BadAlloc"), HasSubstr("153 of 240 shades")));
+  const RgbImage picture = readPng(folder.file("picture.png"));
   EXPECT_EQ(
-      snapshot(" --colormap shared"),
+      snapshot(" --colormap shared").err,
       "xnewell: the default colormap has free cells for 153 of 240 shades, and some for other programs\n");
-  EXPECT_EQ(readPng(file), picture);
-  EXPECT_THAT(snapshot(" --visual StaticColor8"), testing::StartsWith("thrown: X_CreatePixmap: BadAlloc"));
-  unsetenv("DISPLAY");
+  EXPECT_EQ(readPng(folder.file("picture.png")), picture);
+  const Finished needs = snapshot(" --visual StaticColor8");
+  EXPECT_EQ(needs.status, 1);
+  EXPECT_THAT(needs.err, testing::StartsWith("xnewell: X_CreateColormap: BadAlloc"));
 }
 
 }  // namespace xnewell::THIS_FILE
