@@ -432,8 +432,4 @@ TEST_F(TraceCommand, FramesOfEachKind) {
   }
 }
 
-TEST_F(TraceCommand, AnInterruptLeavesWholeFrames) {
-  interruptsLeaveWholeFrames({"trace", "nested-cycles", "--every", "step", "--size", "1500x1500"}, 1500);
-}
-
 }  // namespace xnewell::THIS_FILE

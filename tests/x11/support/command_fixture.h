@@ -68,38 +68,6 @@ class CommandTest : public testing::Test {
     return all;
   }
 
-  /// Checks that the arguments are refused in exactly this line, after `xnewell: `, and that nothing is
-  /// written.
-  void refused(const Strings& words, int status, const std::string& line) const {
-    const auto before = everything();
-    const Finished end = runProgram(words);
-    EXPECT_EQ(end.err, "xnewell: " + line + "\n");
-    EXPECT_EQ(end.status, status) << line;
-    EXPECT_EQ(end.out, "");
-    EXPECT_EQ(everything(), before) << line;
-  }
-  /// Checks Ctrl-C at the start of a program that writes frames this wide, and right after each of its first
-  /// five frames. It ends at once (status 130), or had just ended. Every frame in the folder is whole, and
-  /// nothing else is there.
-  void interruptsLeaveWholeFrames(Strings words, int width) const {
-    int interrupted = 0;
-    for (int frames = 0; frames <= 5; ++frames) {
-      SCOPED_TRACE(frames);
-      const std::string folder = file("frames" + std::to_string(frames));
-      RunningProgram child{words + Strings{"--frames", folder}};
-      const auto latest = std::chrono::steady_clock::now() + std::chrono::seconds{60};
-      do std::this_thread::sleep_for(std::chrono::milliseconds{3});
-      while (std::ssize(filesIn(folder)) < frames && std::chrono::steady_clock::now() < latest);
-      child.signal(SIGINT);
-      const Finished end = child.wait();
-      EXPECT_TRUE(end.status == 130 || end.status == 0) << end.status;
-      interrupted += end.status == 130;
-      const Strings names = filesIn(folder);
-      EXPECT_GE(std::ssize(names), frames);
-      for (const std::string& name : names) EXPECT_EQ(readPng(folder + "/" + name).width, width) << name;
-    }
-    EXPECT_GT(interrupted, 2);
-  }
   struct Drawn {
     Json stats;
     std::string png;

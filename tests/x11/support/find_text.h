@@ -31,14 +31,4 @@ inline std::vector<glm::ivec2> findText(const IndexImage& image, std::string_vie
   return found;
 }
 
-/// True if a table in the image has this row: the label, and right of it the value.
-inline bool hasRow(const IndexImage& image, std::string_view label, std::string_view value, std::uint8_t cell,
-                   int unit = 1, Voice voice = Voice::Plain) {
-  const std::vector<glm::ivec2> labels = findText(image, label, cell, unit),
-                                values = findText(image, value, cell, unit, voice);
-  return std::ranges::any_of(labels, [&](glm::ivec2 at) {
-    return std::ranges::any_of(values, [&](glm::ivec2 v) { return v.y == at.y && v.x > at.x; });
-  });
-}
-
 }  // namespace xnewell
