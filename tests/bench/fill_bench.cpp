@@ -184,7 +184,7 @@ BENCHMARK(BM_Fill<perspectiveTexture>)->Name("BM_FillPerspectiveTexture")->Apply
 /// ---- What an environment map and normals cost, and how far off they are.
 
 void everyAngle(benchmark::internal::Benchmark* error) {
-  for (const int degrees : {0, 15, 30, 45, 60, 120}) error->Arg(degrees);
+  for (const int degrees : {0, 15, 30, 45, 60, 120}) error->Arg(degrees)->Unit(benchmark::kMicrosecond);
 }
 
 // The environment map against the illumination equation, for a light some degrees off the view axis on a
@@ -216,12 +216,10 @@ void BM_EnvironmentError(benchmark::State& state) {
 }
 BENCHMARK(BM_EnvironmentError<EnvironmentForm::Published>)
     ->Name("BM_EnvironmentErrorPublished")
-    ->Apply(everyAngle)
-    ->Unit(benchmark::kMicrosecond);
+    ->Apply(everyAngle);
 BENCHMARK(BM_EnvironmentError<EnvironmentForm::Rotated>)
     ->Name("BM_EnvironmentErrorRotated")
-    ->Apply(everyAngle)
-    ->Unit(benchmark::kMicrosecond);
+    ->Apply(everyAngle);
 
 // The errors of each rule against the true normals: the sphere's, or the patches' at the same corner. For the
 // teapot also without its creases.

@@ -74,31 +74,24 @@ int checkAccuracy(int scenes, int firstSeed) {
   return honour.kept == honour.asked ? 0 : 1;
 }
 
-/// Kendall's tau-b of two rows of times: 1 if they rank all pairs alike. A pair whose intervals meet is a
-/// tie.
-double tauB(std::span<const Measured> a, std::span<const Measured> b) {
+/// How alike two rows of times rank. A pair whose intervals meet is a tie.
+struct Likeness {
+  double tauB = 0;         ///< Kendall's tau-b: 1 if they rank all pairs alike
+  int contradictions = 0;  ///< pairs that one ranks one way and the other the other way
+};
+Likeness likeness(std::span<const Measured> a, std::span<const Measured> b) {
   const auto order = [](const Timing& x, const Timing& y) {
     return x.interval.meets(y.interval) ? 0 : x.ratio < y.ratio ? -1 : 1;
   };
   double alike = 0, pairsA = 0, pairsB = 0;
+  Likeness found;
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const int p = order(a[i].cost.time, a[j].cost.time), q = order(b[i].cost.time, b[j].cost.time);
-      alike += p * q, pairsA += p != 0, pairsB += q != 0;
+      alike += p * q, pairsA += p != 0, pairsB += q != 0, found.contradictions += p * q < 0;
     }
-  return alike / std::sqrt(pairsA * pairsB);
-}
-
-/// Pairs that one run ranks one way and the other the other way.
-int contradictions(std::span<const Measured> a, std::span<const Measured> b) {
-  int count = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const Timing &ai = a[i].cost.time, &aj = a[j].cost.time, &bi = b[i].cost.time, &bj = b[j].cost.time;
-      if (ai.interval.meets(aj.interval) || bi.interval.meets(bj.interval)) continue;
-      count += (ai.ratio < aj.ratio) != (bi.ratio < bj.ratio);
-    }
-  return count;
+  found.tauB = alike / std::sqrt(pairsA * pairsB);
+  return found;
 }
 
 std::vector<Measured> rowsOf(const Trade& trade) {
@@ -138,11 +131,12 @@ int checkRanks(std::vector<std::string> scenes) {
     for (const pid_t child : busy) ::kill(child, SIGTERM);
     const bool same = sameErrors(first, second) && sameErrors(first, beside);
     all = all && same;
+    const Likeness again = likeness(first, second), busier = likeness(first, beside);
     std::printf(
         "%s: %zu configurations; errors %s; tau-b %.4f, %d pairs contradict; beside 4 busy processes "
         "%.4f, %d\n",
-        name.c_str(), first.size(), same ? "equal to the bit" : "DIFFER", tauB(first, second),
-        contradictions(first, second), tauB(first, beside), contradictions(first, beside));
+        name.c_str(), first.size(), same ? "equal to the bit" : "DIFFER", again.tauB, again.contradictions,
+        busier.tauB, busier.contradictions);
     std::fflush(stdout);
   }
   return all ? 0 : 1;

@@ -22,7 +22,6 @@
 #include "depthsort/order.h"
 #include "shading/color/png.h"
 #include "shading/picture/picture_cache.h"
-#include "shading/scene/scene_file.h"
 #include "shading/scene/settings.h"
 #include "tests/support/painted.h"
 #include "tests/support/seeds.h"

@@ -262,16 +262,4 @@ TEST_P(ControlsWindowAt, EveryKeyInEveryView) {
   }
 }
 
-// Playing reaches its stop by itself.
-TEST(SortWindow, PlaysToAStop) {
-  TwinWindow twin{8};
-  twin.type("2");
-  ASSERT_TRUE(twin.agrees());
-  twin.type("++++++++++++++b4");
-  twin.press(XK_space, NamedKey::Space);
-  twin.finish();
-  while (twin.same.moving()) twin.same.tick();
-  EXPECT_TRUE(twin.agrees());
-}
-
 }  // namespace xnewell::THIS_FILE

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "geometry/files/text_file.h"
 #include "tests/support/seeds.h"
@@ -16,22 +17,9 @@ namespace xnewell::THIS_FILE {
 namespace {
 
 /// What a key may change, as the user can tell.
-struct Seen {
-  explicit Seen(const Workbench& b)
-      : image{b.image()},
-        palette{b.palette()},
-        setup{b.setup()},
-        view{b.view()},
-        asking{b.isAsking()},
-        quitting{b.quitAsked()},
-        moving{b.moving()} {}
-  IndexImage image;
-  Palette palette;
-  xnewell::Setup setup;
-  View view;
-  bool asking, quitting, moving;
-  bool operator==(const Seen&) const = default;
-};
+auto seenIn(const Workbench& b) {
+  return std::tuple{b.image(), b.palette(), b.setup(), b.view(), b.isAsking(), b.quitAsked(), b.moving()};
+}
 
 std::string nameOf(const ViewRow& row) { return std::string{row.name}; }
 
@@ -152,12 +140,12 @@ TEST(EveryView, EveryKeyAnswers) {
       std::set<std::string> silent;
       for (const Key& key : keys) {
         b.does(row.key);
-        const Seen before{b};
+        const auto before = seenIn(b);
         b.press(key);
         b.update();
         b.update();
         // A control that is selected already, a step beyond the end, the view that is shown.
-        if (Seen{b} == before) silent.insert(xnewell::nameOf(key));
+        if (seenIn(b) == before) silent.insert(xnewell::nameOf(key));
         if (b.isAsking()) b.press(NamedKey::Escape);
       }
       EXPECT_LE(silent.size(), 8u) << testing::PrintToString(silent);
@@ -189,9 +177,9 @@ TEST(EveryView, EveryCapAndCountAnswers) {
       if (one.key == Key{'q'}) continue;
       if (row.id == View::DepthSort) b.press(NamedKey::Home);
       b.finish();
-      const Seen before{b};
+      const auto before = seenIn(b);
       b.click(one.place.x + one.place.width / 2, one.place.y + one.place.height / 2);
-      const bool answers = Seen{b} != before;
+      const bool answers = seenIn(b) != before;
       if (!answers) silent.push_back(what);
       if (one.lead != Lead::None && row.id != View::Lesson) {
         EXPECT_TRUE(answers);

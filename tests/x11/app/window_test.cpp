@@ -56,15 +56,6 @@ Rect placeOf(const WatchedWindow& window) {
   return comesTrue([&] { return placeOf(window) == place; });
 }
 
-/// What the whole window shows at a scale, above the status line.
-RgbImage windowAt(const XServer& server, int width, int height, int scale) {
-  const std::string size = std::to_string(width) + "x" + std::to_string(height);
-  const RgbImage whole = pictureOf(
-      "snapshot --whole-window cycle --size " + size + " --scale " + std::to_string(scale), server.name());
-  const Layout at = layoutOf(width, height, scale);
-  return cropped(whole, {0, 0, width, at.status.y * scale});
-}
-
 [[nodiscard]] bool comesToBe(const WatchedWindow& window, const RgbImage& expected) {
   return window.comesToShow(expected, {0, 0, expected.width, expected.height});
 }
@@ -242,26 +233,6 @@ TEST(WindowColormap, IsTakenBackWhereThePointerIs) {
   EXPECT_TRUE(comesTrue([&] { return window.colormapInstalled(); }));
 }
 
-// The window shows the right colours even if the default colormap has no free cell: it has its own map.
-TEST(WindowColormap, NeedsNoFreeCellInTheDefaultMap) {
-  const XServer server = serverFor(8);
-  const RgbImage drawn = pictureOf("draw " + sized(320, 240)), expected = fresh(server, 1024, 768);
-  const OwnedDisplay greedy = openDisplay(server.name());
-  int taken = 0;
-  for (unsigned long pixel = 0;
-       XAllocColorCells(greedy.get(), DefaultColormap(greedy.get(), 0), 0, nullptr, 0, &pixel, 1) != 0;)
-    ++taken;
-  ASSERT_GT(taken, 0);
-  EXPECT_EQ(pictureOf("snapshot " + sized(320, 240), server.name()), drawn);
-  const WatchedViewer viewer{server, kTeapot};
-  // The strip is left out: it also shows cells with the default map's colours, which are others now.
-  const Layout at = layoutOf(1024, 768);
-  const Rect seen{0, 0, 1024, at.strip.y};
-  EXPECT_TRUE(viewer.window.comesToShow(cropped(expected, seen), seen));
-  EXPECT_NE(viewer.window.colormap(), DefaultColormap(viewer.window.display(), 0));
-  EXPECT_TRUE(comesTrue([&] { return viewer.window.colormapInstalled(); }));
-}
-
 TEST(ScaleOfTheScreen, FollowsTheResourcesElseTheSize) {
   struct {
     const char* resources;
@@ -294,12 +265,12 @@ TEST(ScaleOfTheScreen, FollowsTheResourcesElseTheSize) {
 TEST(FullScreenWindow, NeedsNoWindowManager) {
   const XServer server = XServer::xvfb(24, 1920, 1080);
   WatchedViewer viewer{server, "cycle"};
-  const RgbImage before = windowAt(server, 1024, 768, 1);
+  const RgbImage before = freshWindow(server, "cycle");
   XMoveWindow(viewer.window.display(), viewer.window.id(), 300, 200);
   for (const KeySym goesBack : {XK_Escape, XK_F11}) {
     viewer.window.press(XK_F11);
     EXPECT_TRUE(comesToLie(viewer.window, {0, 0, 1920, 1080}));
-    EXPECT_TRUE(comesToBe(viewer.window, windowAt(server, 1920, 1080, 2)));
+    EXPECT_TRUE(comesToBe(viewer.window, freshWindow(server, "cycle", 1920, 1080, 2)));
     viewer.window.press(goesBack);
     EXPECT_TRUE(comesToLie(viewer.window, {300, 200, 1024, 768}));
     EXPECT_TRUE(comesToBe(viewer.window, before));
@@ -350,7 +321,7 @@ TEST(FullScreenWindow, AsksItsWindowManager) {
 }
 
 // The usual scale and size of a window come from the screen. They follow a change of its resolution, until
-// the user takes a scale of his own.
+// the user takes a scale of his own, by a key or by --scale.
 TEST(ScaleOfTheWindow, IsThatOfTheScreenUntilChosen) {
   const XServer server = XServer::xvfb(24, 1920, 1080);
   {
@@ -359,9 +330,17 @@ TEST(ScaleOfTheWindow, IsThatOfTheScreenUntilChosen) {
     EXPECT_TRUE(first.window.settles());
     EXPECT_EQ(placeOf(first.window), (Rect{0, 0, 1024, 768})) << "no room for scale 2";
   }
+  const RgbImage small = freshWindow(server, "cycle", 1920, 1080),
+                 large = freshWindow(server, "cycle", 1920, 1080, 2);
+  {
+    const WatchedViewer chosen{server, "cycle --size 1920x1080 --scale 2"};
+    EXPECT_TRUE(comesToBe(chosen.window, large));
+    setResources(chosen.window, "Xft.dpi: 96\n");
+    EXPECT_TRUE(comesToBe(chosen.window, large));
+    setResources(chosen.window, "Xft.dpi: 192\n");
+  }
   WatchedViewer viewer{server, "cycle"};
   EXPECT_EQ(placeOf(viewer.window), (Rect{0, 0, 1920, 1080}));
-  const RgbImage small = windowAt(server, 1920, 1080, 1), large = windowAt(server, 1920, 1080, 2);
   EXPECT_TRUE(comesToBe(viewer.window, large));
   setResources(viewer.window, "Xft.dpi: 96\n");
   EXPECT_TRUE(comesToBe(viewer.window, small));
@@ -371,17 +350,6 @@ TEST(ScaleOfTheWindow, IsThatOfTheScreenUntilChosen) {
   EXPECT_TRUE(comesToBe(viewer.window, large));
   viewer.window.type("Z");
   EXPECT_TRUE(comesToBe(viewer.window, small));
-}
-
-// --scale is the user's word, whatever the screen says.
-TEST(ScaleOfTheWindow, IsTheOptions) {
-  const XServer server = XServer::xvfb(24, 1920, 1080);
-  const OwnedDisplay other = openDisplay(server.name());
-  WatchedViewer viewer{server, "cycle --size 1920x1080 --scale 2"};
-  const RgbImage large = windowAt(server, 1920, 1080, 2);
-  EXPECT_TRUE(comesToBe(viewer.window, large));
-  setResources(viewer.window, "Xft.dpi: 96\n");
-  EXPECT_TRUE(comesToBe(viewer.window, large));
 }
 
 }  // namespace xnewell::THIS_FILE

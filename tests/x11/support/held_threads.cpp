@@ -6,8 +6,8 @@
 
 #include <cstdlib>
 
-// Linked before the C library: a thread of the program begins its work only while the gate of work_gate.h is
-// open. $XNEWELL_GATE names the gate's file.
+// Linked before the C library: a thread of the program begins its work only while the gate of
+// long_work_test.cpp is open. $XNEWELL_GATE names the gate's file.
 
 namespace {
 

@@ -36,17 +36,18 @@ struct WatchedViewer {
 }
 
 /// All of a window but the status line, which tells times. The screen must hold the whole window.
-inline Rect aboveStatus(int width, int height) {
-  const Layout at = layoutOf(width, height);
-  return {0, 0, width, at.roomy ? at.status.y : height};
+inline Rect aboveStatus(int width, int height, int scale = 1) {
+  const Layout at = layoutOf(width, height, scale);
+  return {0, 0, width, at.roomy ? at.status.y * scale : height};
 }
 
 /// The window as a fresh start shows it, without the status line.
 inline RgbImage freshWindow(const XServer& server, const std::string& line, int width = 1024,
-                            int height = 768) {
+                            int height = 768, int scale = 1) {
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
-  return cropped(pictureOf("snapshot --whole-window " + line + " --size " + size, server.name()),
-                 aboveStatus(width, height));
+  const std::string all =
+      "snapshot --whole-window " + line + " --size " + size + " --scale " + std::to_string(scale);
+  return cropped(pictureOf(all, server.name()), aboveStatus(width, height, scale));
 }
 
 }  // namespace xnewell
