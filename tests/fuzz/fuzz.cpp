@@ -99,8 +99,7 @@ void fuzzPolygons(std::string_view text) {
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
   std::size_t size = text.size();
   if (size < 3 + 3 * kPoints + 3) return;
-  PictureSettings settings;
-  settings.width = 40, settings.height = 30;
+  PictureSettings settings = fewPixels();
   settings.order = bytes[0] % 2 == 0 ? Order::Newell : Order::Bsp;
   settings.shading = kShadings[bytes[1] % kShadings.size()].id;
   if (bytes[2] % 2 == 0) settings.camera.parallel = true;

@@ -82,17 +82,16 @@ INSTANTIATE_TEST_SUITE_P(Depths, WindowAt, testing::ValuesIn(someOf({8, 24}, 1))
 // `q` and the close button end the program with status 0, SIGINT with 130, SIGTERM with 143. It says nothing
 // and leaves no window.
 TEST_P(WindowAt, EndsAsAsked) {
-  struct End {
-    int status;
-    std::function<void(const WatchedViewer&)> ask;
-  };
   const auto signal = [](int number) {
     return [number](const WatchedViewer& viewer) { viewer.program.signal(number); };
   };
-  for (const auto& [status, ask] :
-       {End{0, [](const WatchedViewer& v) { v.window.type("q"); }},
-        End{0, [](const WatchedViewer& v) { v.window.askToClose(); }}, End{130, signal(SIGINT)},
-        End{143, signal(SIGTERM)}, End{129, signal(SIGHUP)}}) {
+  const std::vector<std::pair<int, std::function<void(const WatchedViewer&)>>> ends{
+      {0, [](const WatchedViewer& v) { v.window.type("q"); }},
+      {0, [](const WatchedViewer& v) { v.window.askToClose(); }},
+      {130, signal(SIGINT)},
+      {143, signal(SIGTERM)},
+      {129, signal(SIGHUP)}};
+  for (const auto& [status, ask] : ends) {
     WatchedViewer viewer{server, kTeapot};
     ask(viewer);
     const Finished end = viewer.program.wait(std::chrono::seconds{90});

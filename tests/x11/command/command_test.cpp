@@ -21,13 +21,7 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-struct OneZ {
-  std::string name;
-  double (*of)(double far, double near, double mean);
-};
-const std::array kSorts{OneZ{"farthest", [](double far, double, double) { return far; }},
-                        OneZ{"nearest", [](double, double near, double) { return near; }},
-                        OneZ{"mean", [](double, double, double mean) { return mean; }}};
+constexpr std::array kSorts{"farthest", "nearest", "mean"};  ///< by one z of each face
 
 /// The longest part of `text` that stands as it is in HTML, with no placeholder in it.
 std::string longestPlain(const std::string& text) {
@@ -241,7 +235,7 @@ TEST_F(CommandTest, JudgeTellsSortsByZApart) {
     s.camera = completed({}, read.camera);
     const Picture picture = makePicture(std::move(read), s, std::uint8_t{0});
     const SnappedScene& snapped = picture.snapped();
-    for (const OneZ& sort : kSorts) {
+    for (std::size_t sort = 0; sort < kSorts.size(); ++sort) {
       std::vector<std::pair<double, int>> order;
       for (const SnappedFace& face : snapped.faces) {
         double far = 1e9, near = -1e9, sum = 0;
@@ -249,15 +243,15 @@ TEST_F(CommandTest, JudgeTellsSortsByZApart) {
           const double z = snapped.vertices[static_cast<std::size_t>(k)].z;
           far = std::min(far, z), near = std::max(near, z), sum += z;
         }
-        order.emplace_back(sort.of(far, near, sum / face.count), face.number);
+        order.emplace_back(std::array{far, near, sum / face.count}[sort], face.number);
       }
       std::ranges::sort(order);
       std::ofstream out{file("order.jsonl")};
       for (const auto& [z, f] : order) out << "{\"face\": " << f << "}\n";
       out.close();
       const Finished judged = runProgram({"judge", scene, file("order.jsonl")});
-      EXPECT_EQ(judged.status, scene == "leaning-card" && sort.name == "farthest" ? 0 : 1)
-          << scene << ", " << sort.name << ": " << judged.out;
+      EXPECT_EQ(judged.status, scene == "leaning-card" && sort == 0 ? 0 : 1)
+          << scene << ", " << kSorts[sort] << ": " << judged.out;
     }
   }
 }

@@ -28,8 +28,8 @@ struct WritingRow {
   bool server = false;
   [[nodiscard]] std::string command() const { return line.substr(0, line.find(' ')); }
   [[nodiscard]] std::string option() const {
-    const std::size_t end = line.find(" @ ");
-    return line.substr(line.rfind(' ', end - 1) + 1, end - line.rfind(' ', end - 1) - 1);
+    const Strings all = words(line);
+    return *(std::ranges::find(all, "@") - 1);
   }
 };
 const std::array kWriting{
@@ -54,10 +54,21 @@ const std::array kWriting{
     WritingRow{"lesson --worksheet @ cycles", "out.html"},
 };
 
-/// These options read a file, or write it while a window is open: kept_answers_test.cpp.
+/// These options read a file, or write it while a window is open.
 constexpr std::array<std::string_view, 4> kOthers{"--texture", "--answers", "--run", "--rubric"};
 
-class WrittenFiles : public CommandTest {
+class InFolder : public CommandTest {
+ protected:
+  /// The words of a line. @NAME is a file of the folder, and @ alone the target.
+  [[nodiscard]] Strings wordsOf(const std::string& line, const std::string& target = "") const {
+    Strings all = words(line);
+    for (std::string& word : all)
+      if (word.starts_with('@')) word = word == "@" ? target : file(word.substr(1));
+    return all;
+  }
+};
+
+class WrittenFiles : public InFolder {
  protected:
   WrittenFiles() {
     std::filesystem::remove(file("old.png"));
@@ -66,19 +77,13 @@ class WrittenFiles : public CommandTest {
     write("in/wrong.jsonl", "{\"face\": 2}\n{\"face\": 1}\n{\"face\": 0}\n");
   }
 
-  [[nodiscard]] Strings wordsOf(const WritingRow& row, const std::string& target) const {
-    Strings all = words(row.line);
-    for (std::string& word : all)
-      if (word.starts_with('@')) word = word == "@" ? target : file(word.substr(1));
-    return all;
-  }
   /// Runs a row. If `hindrance` is not empty, its writes meet that (hindered.cpp).
   [[nodiscard]] Finished runRow(const WritingRow& row, const std::string& target,
                                 const std::string& hindrance = "") {
     if (row.server && !server_) server_.emplace(XServer::xvfb(24));
     ::setenv("XNEWELL_HINDER", hindrance.c_str(), 1);
     RunningProgram program{builtProgram(hindrance.empty() ? "x11/xnewell" : "tests/xnewell_hindered"),
-                           wordsOf(row, target), row.server ? server_->name() : ""};
+                           wordsOf(row.line, target), row.server ? server_->name() : ""};
     ::unsetenv("XNEWELL_HINDER");
     return program.wait();
   }
@@ -117,7 +122,7 @@ class WrittenFiles : public CommandTest {
 bool isFolder(const WritingRow& row) { return row.option() == "--frames" || row.option() == "--feedback"; }
 
 /// The program when the system refuses it memory. Every command writes `out.png`, or a figure of that name.
-class ScarceMemory : public CommandTest {
+class ScarceMemory : public InFolder {
  protected:
   ScarceMemory() {
     std::filesystem::copy(XNEWELL_TESTS_DATA_DIR "/changed", file("."));
@@ -289,25 +294,18 @@ TEST_F(WrittenFiles, SurviveInterrupts) {
 // Whatever allocation fails, the program ends with status 1 and a line, and no file is half written: for
 // models of all kinds, textures, a picture that carries its set-up, and figures.
 TEST_F(ScarceMemory, IsToldInALine) {
-  struct Case {
-    Strings words;
-    std::string output;
-  };
   int runs = 0;
   bool options = false;
   // nlohmann-json leaks or asserts if it is refused memory. The program ends then, so only sanitizers mind.
-  const Strings stats = kSanitized ? Strings{} : Strings{"--stats"};
-  for (const Case& c :
-       someOf({Case{Strings{"draw", file("boxes.obj"), "--ids", file("ids.png")} + stats, "out.png"},
-               Case{{"draw", file("carried.png")}, "out.png"}, Case{{"figure", file("boxes.obj")}, "out.svg"},
-               Case{{"figure", file("cube.json")}, "out.pdf"},
-               Case{{"draw", file("cube.json"), "--shade", "phong"}, "out.png"},
-               Case{{"draw", file("t.off"), "--order", "oracle"}, "out.png"},
-               Case{{"draw", XNEWELL_DATA_DIR "/square.bpt", "--divisions", "2"}, "out.png"},
-               Case{{"figure", file("t.ply"), "--edges", "visible"}, "out.eps"}},
-              3)) {
-    const Strings rest{"--size", "40x30", "-o", file(c.output)};
-    const Strings words = c.words + rest;
+  const std::string stats = kSanitized ? "" : " --stats";
+  for (const std::string& line : someOf<std::string>(
+           {"draw @boxes.obj --ids @ids.png -o @out.png" + stats, "draw @carried.png -o @out.png",
+            "figure @boxes.obj -o @out.svg", "figure @cube.json -o @out.pdf",
+            "draw @cube.json --shade phong -o @out.png", "draw @t.off --order oracle -o @out.png",
+            "draw " XNEWELL_DATA_DIR "/square.bpt --divisions 2 -o @out.png",
+            "figure @t.ply --edges visible -o @out.eps"},
+           3)) {
+    const Strings words = wordsOf(line + " --size 40x30");
     const Finished well = runProgram(words);
     ASSERT_EQ(well.status, 0) << well.err;
     const auto made = taken();
