@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -13,23 +14,11 @@ namespace xnewell {
 
 namespace {
 
-using std::abs, std::isfinite, std::sqrt;  // and those of two doubles
+using std::abs, std::isfinite;  // and those of two doubles
 
 using Real = Extended;
 
-struct Vec {
-  Real x = 0, y = 0, z = 0;
-};
-Vec operator+(const Vec& a, const Vec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vec operator*(Real s, const Vec& a) { return {s * a.x, s * a.y, s * a.z}; }
-Real dot(const Vec& a, const Vec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Vec cross(const Vec& a, const Vec& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-Real length(const Vec& a) { return sqrt(dot(a, a)); }
-Vec unit(const Vec& a) { return (1 / length(a)) * a; }
-Vec real(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+using Vec = glm::vec<3, Real>;
 
 constexpr double kStep = 1.0 / 65536;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -43,15 +32,15 @@ struct Ray {
 class Rays {
  public:
   Rays(const JudgedCamera& camera, int width, int height)
-      : width_{width}, height_{height}, perspective_{camera.height == 0}, eye_{real(camera.eye)} {
-    n_ = unit(eye_ - real(camera.lookAt));
-    u_ = unit(cross(real(camera.up), n_));
+      : width_{width}, height_{height}, perspective_{camera.height == 0}, eye_{Vec{camera.eye}} {
+    n_ = glm::normalize(eye_ - Vec{camera.lookAt});
+    u_ = glm::normalize(cross(Vec{camera.up}, n_));
     v_ = cross(n_, u_);
-    at_ = real(camera.lookAt);
+    at_ = Vec{camera.lookAt};
     constexpr double kDegree = std::numbers::pi / 180;
     half_ = perspective_ ? std::tan(camera.fov / 2 * kDegree) : camera.height / 2;
     const double angle = camera.angle * kDegree;
-    lean_ = Real{camera.length} * (std::cos(angle) * u_ + std::sin(angle) * v_) + n_;
+    lean_ = Real{camera.length} * (Real{std::cos(angle)} * u_ + Real{std::sin(angle)} * v_) + n_;
     const Real D = dot(eye_ - at_, n_);
     zPerDepth_ = height / 2.0 / half_ * (perspective_ ? D : 1);  // pixels of z for each unit of depth()
   }
@@ -178,14 +167,14 @@ class Judge {
 
   Face faceOf(int f) const {
     Face face;
-    for (const int c : mesh_.face(f)) face.corners.push_back(real(mesh_.points[c]));
-    Vec sum, mean;
+    for (const int c : mesh_.face(f)) face.corners.push_back(Vec{mesh_.points[c]});
+    Vec sum{0}, mean{0};
     for (std::size_t k = 0; k < face.corners.size(); ++k) {
       const Vec &a = face.corners[k], &b = face.corners[(k + 1) % face.corners.size()];
       sum = sum + cross(a - face.corners[0], b - face.corners[0]);
       mean = mean + a;
     }
-    face.N = unit(sum);
+    face.N = glm::normalize(sum);
     face.d = dot(face.N, (1 / Real{static_cast<double>(face.corners.size())}) * mean);
     face.r = u_ * (abs(face.N.x) + abs(face.N.y) + abs(face.N.z)) + e_;
 
@@ -209,12 +198,12 @@ class Judge {
     if (!rays_.perspective()) return 0;
     Real first = kInfinity, last = -kInfinity, inView = kInfinity;
     for (const glm::dvec3& p : mesh_.points)
-      first = std::min(first, rays_.distance(real(p))), last = std::max(last, rays_.distance(real(p)));
+      first = std::min(first, rays_.distance(Vec{p})), last = std::max(last, rays_.distance(Vec{p}));
     const Real gap = side_ / 1024, usual = std::max(gap, (first - gap) / 2);
     Real seenTo = last + gap;
     for (int f = 0; f < mesh_.faceCount(); ++f) {
       std::vector<Vec> polygon;
-      for (const int c : mesh_.face(f)) polygon.push_back(real(mesh_.points[c]));
+      for (const int c : mesh_.face(f)) polygon.push_back(Vec{mesh_.points[c]});
       polygon = clipped(polygon, [&](const Vec& p) { return rays_.distance(p) - side_ * 0x1p-40; });
       polygon = within(polygon, 0, width_, 0, height_);
       Real begins = kInfinity, ends = 0, area = 0;

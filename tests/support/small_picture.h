@@ -16,6 +16,14 @@ inline PictureSettings small() {
   return s;
 }
 
+/// What the scene asks for, in a picture of this size.
+inline PictureSettings setUpOf(const Scene& scene, int width, int height) {
+  PictureSettings s = scene.settings;
+  s.camera = scene.camera;
+  s.width = width, s.height = height;
+  return s;
+}
+
 /// How often the painter paints each sample.
 inline std::vector<int> timesPainted(const SnappedScene& scene, int width, int height) {
   std::vector<int> times(std::size_t(width) * height, 0);

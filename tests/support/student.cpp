@@ -103,11 +103,8 @@ class Drawing {
     at_.resize(w_.points.size());
     for (int f = 0; f < faces(); ++f) {
       Triple N = rawNormal(f);
-      Triple world{};
+      const Triple world = rawWorld(f);
       const auto& face = w_.faces[f];
-      for (std::size_t k = 1; k + 1 < face.size(); ++k)
-        world = plus(world, crossOf(minus(w_.points[face[k]], w_.points[face[0]]),
-                                    minus(w_.points[face[k + 1]], w_.points[face[0]])));
       back_[f] = dotOf(world, minus(w_.eye, w_.points[face[0]])) < 0;
       if (!has("N-not-unit")) N = unitOf(N);
       if (has("N-in-view-coords")) N = {dotOf(N, u_), dotOf(N, v_), dotOf(N, n_)};
