@@ -200,24 +200,6 @@ TEST(ColorDifference, OppositeHuesTakeTheMeanBetweenThem) {
   EXPECT_GT(jumps, 900);
 }
 
-// The comparison of two pictures is the sum over their pixels. The test uses random pairs.
-TEST(ColorDifference, OfPicturesIsTheSumOfItsPixels) {
-  std::mt19937 rng{34};
-  RgbImage p{31, 17}, q{31, 17};
-  // There are few values, so that neighbours are often equal in one picture and not in the other.
-  for (std::uint8_t& v : p.rgb) v = static_cast<std::uint8_t>(rng() % 2 * 200);
-  for (std::uint8_t& v : q.rgb) v = static_cast<std::uint8_t>(rng() % 2 * 200);
-  double sum = 0, largest = 0;
-  for (int j = 0; j < p.height; ++j)
-    for (int i = 0; i < p.width; ++i) {
-      const double d = ciede2000(labFromSrgb(p.pixel(i, j)), labFromSrgb(q.pixel(i, j)));
-      sum += d, largest = std::max(largest, d);
-    }
-  const ImageDifference all = imageDifference(p, q);
-  EXPECT_NEAR(all.mean, sum / (31 * 17), 1e-12);
-  EXPECT_EQ(all.largest, largest);
-}
-
 }  // namespace
 
 }  // namespace xnewell::THIS_FILE

@@ -347,24 +347,6 @@ Outline randomOutline(std::mt19937& rng, int extent, int unit) {
   }
 }
 
-/// The columns of each row by the definition: the edges and the spans.
-std::vector<std::array<int, 3>> byCourse(const Outline& p, int width, int height) {
-  std::vector<std::array<int, 3>> rows;
-  for (const ScanSpan& span : spansOf(edgesOf(p))) {
-    const int from = std::max(0, span.from), to = std::min(width, span.to);
-    if (span.row >= 0 && span.row < height && from < to) rows.push_back({span.row, from, to});
-  }
-  return rows;
-}
-
-std::vector<std::array<int, 3>> byFiller(const Outline& p, int width, int height) {
-  std::vector<std::array<int, 3>> rows;
-  forEachSpan(p.data(), static_cast<int>(p.size()), width, height, [&](int row, int from, int to) {
-    rows.push_back({row, from, to});
-  });
-  return rows;
-}
-
 // The filler owns the samples that the edges, one by one, say: for large and small polygons, for corners on
 // samples and far outside the picture.
 TEST(ScanConversion, IsWhatTheFillerDoes) {
@@ -374,33 +356,32 @@ TEST(ScanConversion, IsWhatTheFillerDoes) {
     for (int k = 0; k < (pixels > 1000 ? 20 : 2000); ++k) {
       Outline p = randomOutline(rng, pixels * kGrid, unit);
       for (glm::ivec3& v : p) v.x -= kGrid * (pixels / 4), v.y -= kGrid * (pixels / 4);
-      const auto rows = byFiller(p, pixels / 2, pixels / 2);
-      ASSERT_EQ(byCourse(p, pixels / 2, pixels / 2), rows);
+      const int side = pixels / 2;
+      std::vector<std::array<int, 3>> byCourse, byFiller;  // a row, and from which column to which
+      for (const ScanSpan& span : spansOf(edgesOf(p))) {
+        const int from = std::max(0, span.from), to = std::min(side, span.to);
+        if (span.row >= 0 && span.row < side && from < to) byCourse.push_back({span.row, from, to});
+      }
+      forEachSpan(p.data(), static_cast<int>(p.size()), side, side, [&](int row, int from, int to) {
+        byFiller.push_back({row, from, to});
+        samples += to - from;
+      });
+      ASSERT_EQ(byCourse, byFiller);
       corners += static_cast<int>(p.size());
-      for (const auto& [row, from, to] : rows) samples += to - from;
     }
   EXPECT_GT(corners, 3 * 6'000 + 1'000) << "some have four corners";
   EXPECT_GT(samples, 1'000'000);
 }
 
-// A triangle of the book, by hand. Its corners are (1, 1), (1, 5) and (5, 1) in pixels. The long side passes
-// through no sample; row j has the samples 1 to 4 - j.
-TEST(ScanConversion, OfATriangleByHand) {
-  const Outline p{{kGrid, kGrid, 0}, {kGrid, 5 * kGrid, 0}, {5 * kGrid, kGrid, 0}};
-  ASSERT_GT(doubleArea(p.data(), 3), 0);
-  const std::vector<ScanEdge> edges = edgesOf(p);
+// The edges of a triangle of the book, by hand. Its corners are (1, 1), (1, 5) and (5, 1) in pixels.
+TEST(ScanConversion, EdgesByHand) {
+  const std::vector<ScanEdge> edges =
+      edgesOf(Outline{{kGrid, kGrid, 0}, {kGrid, 5 * kGrid, 0}, {5 * kGrid, kGrid, 0}});
   ASSERT_EQ(edges.size(), 2u) << "the top side is horizontal";
   EXPECT_TRUE(edges[0].left);
   EXPECT_EQ(edges[0].step(), 0.0);
   EXPECT_EQ(edges[1].step(), -1.0);
   EXPECT_EQ(edges[1].x(1), 4.5);
-  const std::vector<ScanSpan> spans = spansOf(edges);
-  ASSERT_EQ(spans.size(), 4u);
-  for (int k = 0; k < 4; ++k) {
-    EXPECT_EQ(spans[k].row, k + 1);
-    EXPECT_EQ(spans[k].from, 1);
-    EXPECT_EQ(spans[k].to, 4 - k) << "the sample on the right side is outside";
-  }
 }
 
 /// ---- Additions from pixel to pixel
@@ -431,18 +412,6 @@ TEST(Stepping, IsTheFillersPlane) {
   EXPECT_GT(ties, kRounds);
 }
 
-// By hand, with 8 bits: from 10 to 11 over 3 pixels grows by a third a pixel, which is 85 of 256 steps. After
-// three pixels a whole step is missing.
-TEST(Stepping, DriftsByHand) {
-  constexpr int kAt = kGrid / 2;  // the centre of pixel 0
-  const SteppedPlane plane =
-      steppedOver({{{kAt, kAt, 0}, {kAt, kAt + 3 * kGrid, 0}, {kAt + 3 * kGrid, kAt, 0}}}, {10, 10, 11}, 8);
-  EXPECT_EQ(plane.perColumn, 85);
-  EXPECT_EQ(plane.perRow, 0);
-  EXPECT_EQ(plane.number(plane.at(0, 0)), 10.0);
-  EXPECT_EQ(plane.at(3, 0), 11 * 256 - 1);
-}
-
 /// ---- Interpolation
 
 // The weighted sum is the plane that the fillers evaluate, at any pixel and for any size of triangle.
@@ -460,15 +429,6 @@ TEST(Interpolation, IsTheFillersPlane) {
       ASSERT_NEAR(weights[0] + weights[1] + weights[2], 1.0, 1e-9 * (1 + std::abs(filled)));
       ASSERT_NEAR(interpolated(weights, v), filled, 1e-7 * (1 + std::abs(filled)));
     }
-}
-
-// By hand: half way along a side on the screen, from depth 1 to depth 3, the near end counts three quarters
-// of the world's way: (1/1) : (1/3) = 3 : 1.
-TEST(Interpolation, OfAPlaceInPerspectiveByHand) {
-  const Weights world = weightsInWorld({0.5, 0.5, 0.0}, {1.0 / 1.0, 1.0 / 3.0, 1.0 / 2.0});
-  EXPECT_NEAR(world[0], 0.75, 1e-15);
-  EXPECT_NEAR(world[1], 0.25, 1e-15);
-  EXPECT_EQ(world[2], 0.0);
 }
 
 }  // namespace
