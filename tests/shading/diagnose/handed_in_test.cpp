@@ -20,8 +20,10 @@
 #include "shading/laboratory/errors.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene_file.h"
+#include "tests/support/full_color_picture.h"
 #include "tests/support/reader_fixture.h"
 #include "tests/support/seeds.h"
+#include "tests/support/small_picture.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -39,6 +41,7 @@ class HandedInFile : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
+/// Numbers of four bytes, the highest byte first.
 std::string big(std::initializer_list<std::uint32_t> numbers) {
   std::string bytes;
   for (const std::uint32_t n : numbers)
@@ -107,12 +110,13 @@ TEST_F(HandedInFile, ReadsBmp) {
 TEST_F(HandedInFile, KeepsCells) {
   IndexImage cells{2, 1, 0};
   cells.pixels = {11, 250};
-  Palette palette{};
+  Palette palette = scattered(1);
   palette[11] = {0x1200, 0, 0}, palette[250] = {0xF000, 0x100, 0};
   const HandedIn in = readHandedIn(write("a.png", encodePng(cells, palette)));
   ASSERT_TRUE(in.cells);
   EXPECT_EQ(*in.cells, cells);
   EXPECT_EQ(in.held[250], (std::array<std::uint8_t, 3>{0xF0, 1, 0}));
+  for (int c = 0; c < 256; ++c) EXPECT_EQ(in.held[c][0], palette[c].r >> 8) << "used or not";
   EXPECT_EQ(in.picture.pixel(0, 0)[0], 0x12);
 
   std::string dump = xwdHead(8, 4, 3, 2, 1);
@@ -172,8 +176,7 @@ TEST_F(HandedInFile, SurvivesChangedBytes) {
     if (seed % 5 == 0) bytes.resize(rng() % bytes.size());
     const std::string file = write("changed", bytes);
     try {
-      const HandedIn in = readHandedIn(file);
-      EXPECT_LE(in.picture.width, 8192);
+      EXPECT_LE(readHandedIn(file).picture.width, 8192);
     } catch (const ParseError&) {
     }
   }
@@ -182,9 +185,8 @@ TEST_F(HandedInFile, SurvivesChangedBytes) {
 /// ---- Pictures by other programs
 
 PictureSettings settingsFor(const Scene& scene, Shading method) {
-  PictureSettings s = scene.settings;
-  s.camera = scene.camera, s.shading = method;
-  s.width = 320, s.height = 240;
+  PictureSettings s = setUpOf(scene, 320, 240);
+  s.shading = method;
   return s;
 }
 
@@ -262,13 +264,7 @@ TEST(Diagnose, ReadsColours) {
       drawn.light.mistake = mistake;
       const Picture picture = makePicture(scene, drawn, std::uint8_t{1});
       const Palette palette = picture.palette(CellPlan{});
-      HandedIn handed{.picture = RgbImage{s.width, s.height}, .cells = {}, .held = {}};
-      for (std::size_t k = 0; k < picture.image().pixels.size(); ++k) {
-        const Rgb16 held = palette[picture.image().pixels[k]];
-        handed.picture.rgb[3 * k] = static_cast<std::uint8_t>(held.r >> 8);
-        handed.picture.rgb[3 * k + 1] = static_cast<std::uint8_t>(held.g >> 8);
-        handed.picture.rgb[3 * k + 2] = static_cast<std::uint8_t>(held.b >> 8);
-      }
+      const HandedIn handed{.picture = shown(picture.image(), palette, 0), .cells = {}, .held = {}};
       Diagnoser diagnoser{scene, s};
       const Diagnosis d = diagnoser(handed);
       EXPECT_FALSE(d.oneHue);
@@ -308,10 +304,9 @@ TEST(Hypotheses, ChangeTheWay) {
 
 /// ---- Orders that are judged
 
-Picture pictureOf(const Scene& scene, int width = 160, int height = 120) {
-  PictureSettings s = scene.settings;
-  s.camera = scene.camera, s.order = Order::Unsorted, s.shading = Shading::Full;
-  s.width = width, s.height = height;
+Picture pictureOf(const Scene& scene) {
+  PictureSettings s = setUpOf(scene, 160, 120);
+  s.order = Order::Unsorted, s.shading = Shading::Full;
   return makePicture(scene, s, std::uint8_t{0}).withPlanes();
 }
 
@@ -345,10 +340,8 @@ TEST(JudgeOrder, FindsRightOrdersRight) {
     const Scene scene = readScene(name);
     const Picture unsorted = pictureOf(scene);
     PictureSettings s = unsorted.settings();
-    s.order = Order::Newell;
-    PictureSettings said = scene.settings;
-    said.camera = scene.camera, said.order = Order::Newell, said.width = s.width, said.height = s.height;
-    const Picture sorted = makePicture(scene, said);
+    s.order = Order::Newell, s.shading = scene.settings.shading;
+    const Picture sorted = makePicture(scene, s);
     std::vector<int> faces;
     for (const Fragment& f : sorted.sorted().fragments) {
       ASSERT_LT(f.piece, 0) << name;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <string>
@@ -11,6 +10,7 @@
 #include "shading/diagnose/diagnose.h"
 #include "shading/scene/scene.h"
 #include "shading/scene/units.h"
+#include "tests/support/small_picture.h"
 #include "tests/support/student_world.h"
 
 namespace xnewell::THIS_FILE {
@@ -25,13 +25,11 @@ class House {
  public:
   explicit House(TableKind table = TableKind::Linear) {
     Scene scene = readScene(XNEWELL_DATA_DIR "/../x11/example/house.obj");
-    settings_ = scene.settings;
-    settings_.camera = scene.camera;
-    settings_.camera.eye = glm::dvec3{4, 3, 6}, settings_.camera.lookAt = glm::dvec3{0, 0.4, 0};
-    settings_.light.light = glm::dvec3{-0.5, 0.6, -0.4};
-    settings_.light.n = 4, settings_.table.kind = table;
-    settings_.width = 640, settings_.height = 480;
-    diagnoser.emplace(std::move(scene), settings_);
+    PictureSettings settings = setUpOf(scene, 640, 480);
+    settings.camera.eye = glm::dvec3{4, 3, 6}, settings.camera.lookAt = glm::dvec3{0, 0.4, 0};
+    settings.light.light = glm::dvec3{-0.5, 0.6, -0.4};
+    settings.light.n = 4, settings.table.kind = table;
+    diagnoser.emplace(std::move(scene), settings);
     world = studentsWorld(diagnoser->picture());
     program.table = kTables[static_cast<std::size_t>(table)].name[0];
   }
@@ -40,9 +38,6 @@ class House {
   std::optional<Diagnoser> diagnoser;
   student::World world;
   student::Program program;
-
- private:
-  PictureSettings settings_;
 };
 
 std::set<std::string_view> keysOf(const Diagnosis& d) {
@@ -81,15 +76,17 @@ TEST(House, FindsOtherNumbers) {
              return f.number && f.number->which == which && std::abs(f.number->is - is) < 0.006;
            });
   };
-  for (student::Surface& s : house.world.surfaces) s.kd = 0.6;
+  const auto with = [&](double student::Surface::*number, double is) {
+    house.world = right;
+    for (student::Surface& s : house.world.surfaces) s.*number = is;
+  };
+  with(&student::Surface::kd, 0.6);
   EXPECT_TRUE(finds(NumberOf::kd, 0.6));
-  house.world = right;
-  for (student::Surface& s : house.world.surfaces) s.ks = 0.25;
-  EXPECT_TRUE(finds(NumberOf::ks, 0.25));
-  for (student::Surface& s : house.world.surfaces) s.ks = 0.32;
-  EXPECT_TRUE(finds(NumberOf::ks, 0.32)) << "in steps of 1/100";
-  house.world = right;
-  for (student::Surface& s : house.world.surfaces) s.ka = 0.5;
+  for (const double ks : {0.25, 0.32}) {  // in steps of 1/100
+    with(&student::Surface::ks, ks);
+    EXPECT_TRUE(finds(NumberOf::ks, ks)) << ks;
+  }
+  with(&student::Surface::ka, 0.5);
   EXPECT_TRUE(finds(NumberOf::ka, 0.5));
   house.world = right;
   house.world.Ia = 0.3;
@@ -180,16 +177,13 @@ TEST(House, NamesOnlyWhatAScenesLightsCanShow) {
     EXPECT_FALSE(hides(*house.diagnoser, key)) << key;
   EXPECT_TRUE(hides(*house.diagnoser, "RV-abs"));
   Scene scene = readScene("bench");  // one light at a place, which fades by 1/d^2
-  PictureSettings settings = scene.settings;
-  settings.camera = scene.camera, settings.width = 320, settings.height = 240;
+  const PictureSettings settings = setUpOf(scene, 320, 240);
   Diagnoser bench{std::move(scene), settings};
   EXPECT_FALSE(hides(bench, "f-1/d2"));
   EXPECT_FALSE(hides(bench, "L-direction-as-place"));
 }
 
 /// ---- The bench
-
-using Json = nlohmann::json;
 
 constexpr const char* kBenchObj = XNEWELL_DATA_DIR "/../x11/example/bench.obj";
 
@@ -203,42 +197,37 @@ std::string decimal(double v) {
   return all == "-0" ? "0" : all;
 }
 
-Json sceneFile(const std::string& name) {
-  return Json::parse(std::ifstream{XNEWELL_DATA_DIR "/scenes/" + name + ".json"});
+/// What a student of this scene is given.
+student::World worldOf(const std::string& name) {
+  const Scene scene = readScene(name);
+  return studentsWorld(makePicture(scene, setUpOf(scene, 320, 240)));
 }
 
-/// A scene as a file that a student's program reads: places in the world, and faces in the scene's order.
-std::string asObj(const Scene& scene) {
-  const double unit = std::ldexp(1.0, scene.exponent);
-  const auto numbers = [](const Json& list) {
-    std::string all;
-    for (const double v : list) all += ' ' + decimal(v);
-    return all;
+/// The scene as a file that a student's program reads: places in the world, and faces in the scene's order.
+std::string benchAsObj(const std::vector<int>& materials) {
+  const auto numbers = [](const student::Triple& t) {
+    return ' ' + decimal(t[0]) + ' ' + decimal(t[1]) + ' ' + decimal(t[2]);
   };
-  const Json bench = sceneFile("bench"), lamp = bench["lights"][0];
-  EXPECT_EQ(bench["up"], "z");
-  EXPECT_EQ(lamp["attenuation"], "inverse-square");
+  const student::World bench = worldOf("bench");
   std::string obj =
       "# The scenes bench and bench-n3 for programs that read .obj files. Faces have the scene's numbers.\n"
       "# Camera: eye" +
-      numbers(bench["camera"]["eye"]) + ", look-at" + numbers(bench["camera"]["look_at"]) + ", up 0 0 1, " +
-      decimal(bench["camera"]["fov"]) + " degrees high.\n# Light: Ia " + decimal(bench["ambient"]) +
-      "; a lamp at" + numbers(lamp["at"]) + " with Ip " + decimal(lamp["Ip"]) +
-      ", which fades by min(1, 1/d^2).\n# Materials: n is " + decimal(bench["shading"]["n"]) +
-      " in bench and " + decimal(sceneFile("bench-n3")["shading"]["n"]) + " in bench-n3.\n";
-  for (std::size_t m = 0; m < scene.mesh.materials.size(); ++m) {
-    const Reflection r = reflectionOf(scene.mesh.materials[m], scene.settings.light, 0);
-    obj += "#   m" + std::to_string(m) + ": ka " + decimal(r.ka) + ", kd " + decimal(r.kd) + ", ks " +
-           decimal(r.ks) + "\n";
+      numbers(bench.eye) + ", look-at" + numbers(bench.at) + ", up" + numbers(bench.up) + ", " +
+      decimal(bench.fov) + " degrees high.\n# Light: Ia " + decimal(bench.Ia) + "; a lamp at" +
+      numbers(bench.light) + " with Ip " + decimal(bench.Ip) +
+      ", which fades by min(1, 1/d^2).\n# Materials: n is " + decimal(bench.surfaces[0].n) +
+      " in bench and " + decimal(worldOf("bench-n3").surfaces[0].n) + " in bench-n3.\n";
+  for (int m = 0; m <= std::ranges::max(materials); ++m) {
+    const student::Surface& s = bench.surfaces[std::ranges::find(materials, m) - materials.begin()];
+    obj += "#   m" + std::to_string(m) + ": ka " + decimal(s.ka) + ", kd " + decimal(s.kd) + ", ks " +
+           decimal(s.ks) + "\n";
   }
-  for (const glm::dvec3& p : scene.mesh.points)
-    obj += "v " + decimal(unit * p.x) + ' ' + decimal(unit * p.y) + ' ' + decimal(unit * p.z) + '\n';
+  for (const student::Triple& p : bench.points) obj += 'v' + numbers(p) + '\n';
   int material = -1;
-  for (int f = 0; f < scene.mesh.faceCount(); ++f) {
-    if (scene.mesh.material[f] != material)
-      obj += "usemtl m" + std::to_string(material = scene.mesh.material[f]) + '\n';
+  for (std::size_t f = 0; f < bench.faces.size(); ++f) {
+    if (materials[f] != material) obj += "usemtl m" + std::to_string(material = materials[f]) + '\n';
     obj += 'f';
-    for (const int point : scene.mesh.face(f)) obj += ' ' + std::to_string(point + 1);
+    for (const int point : bench.faces[f]) obj += ' ' + std::to_string(point + 1);
     obj += '\n';
   }
   return obj;
@@ -247,7 +236,9 @@ std::string asObj(const Scene& scene) {
 // The file for students is the scene, to the letter. After a change of the scene, copy the new text from the
 // file that a failure names.
 TEST(BenchObj, IsTheScene) {
-  const std::string obj = asObj(readScene("bench"));
+  const Scene bench = readScene("bench");
+  EXPECT_EQ(bench.light.lights.at(0).attenuation, Attenuation::InverseSquare);
+  const std::string obj = benchAsObj(bench.mesh.material);
   std::ostringstream stored;
   stored << std::ifstream{kBenchObj}.rdbuf();
   const std::string fresh = ::testing::TempDir() + "bench.obj";
