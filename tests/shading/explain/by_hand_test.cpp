@@ -20,6 +20,7 @@
 #include "tests/support/extended.h"
 #include "tests/support/model_view.h"
 #include "tests/support/seeds.h"
+#include "tests/support/small_picture.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -57,59 +58,42 @@ Picture squareLitFrom(const glm::dvec3& L, const Illumination& light, TableKind 
   return makePicture(makeScene("square", card(), UpAxis::Y), s, 8);
 }
 
-struct Chain {
-  double I;
-  int cell, stored;
-};
-Chain chainOf(const glm::dvec3& L, const Illumination& light, TableKind table = TableKind::Linear) {
+// The intensity in the middle, as it is explained. The cell of the explanation is the picture's.
+double litFrom(const glm::dvec3& L, const Illumination& light, int cell,
+               TableKind table = TableKind::Linear) {
   const Picture picture = squareLitFrom(L, light, table);
-  const int face = picture.seen(20, 21).faces[20];
-  const Explanation e = PixelExplainer{picture}(face, 20, 20);
-  return {e.intensity, e.value[0], picture.image().row(20)[20]};
+  const Explanation e = PixelExplainer{picture}(picture.seen(20, 21).faces[20], 20, 20);
+  EXPECT_EQ(e.value[0], cell);
+  EXPECT_EQ(picture.image().row(20)[20], cell);
+  return e.intensity;
 }
+const glm::dvec3 kFacing{0, 0, 1}, kSlanted{std::sqrt(3.0), 0, 1}, kBehind{0, 0, -1};
 
 // assignment: "set Ia = .5 and Ip = .5. Or possibly Ia = .2 and Ip = .8", "choose Ka and Kd to be near 1.
 // Perhaps .9", "color(I) = round(11 + 239*I)". A polygon that faces the light has N.L = 1, so without a
 // highlight I = 0.9 (Ia + Ip) = 0.9 in both, and color = round(11 + 215.1) = 226. At 60 degrees N.L = 0.5.
+// "The cases Ia = 1 or Ip = 1 should look very different". Ia = 1: 0.9 from any side. Ip = 1: 0.9 N.L, and 0
+// from behind.
 TEST(ByHand, TheAssignmentsSquare) {
-  const glm::dvec3 facing{0, 0, 1}, slanted{std::sqrt(3.0), 0, 1};
-  Illumination half{.Ia = 0.5, .Ip = 0.5, .ka = 0.9, .kd = 0.9, .ks = 0.0};
-  Illumination fifth{.Ia = 0.2, .Ip = 0.8, .ka = 0.9, .kd = 0.9, .ks = 0.0};
-  for (const Illumination& light : {half, fifth}) {
-    const Chain chain = chainOf(facing, light);
-    EXPECT_NEAR(chain.I, 0.9, 1e-12);
-    EXPECT_EQ(chain.cell, 226);
-    EXPECT_EQ(chain.stored, 226);
-  }
-  const Chain even = chainOf(slanted, half);  // 0.45 + 0.5 0.9 0.5 = 0.675; 11 + 161.325
-  EXPECT_NEAR(even.I, 0.675, 1e-12);
-  EXPECT_EQ(even.stored, 172);
-  const Chain pointed = chainOf(slanted, fifth);  // 0.18 + 0.8 0.9 0.5 = 0.54; 11 + 129.06
-  EXPECT_NEAR(pointed.I, 0.54, 1e-12);
-  EXPECT_EQ(pointed.stored, 140);
-}
-
-// assignment: "the cases Ia = 1 or Ip = 1 should look very different". Ia = 1: 0.9 from any side. Ip = 1: 0.9
-// N.L, and 0 from behind.
-TEST(ByHand, OnlyAmbientAndOnlyPoint) {
-  const glm::dvec3 facing{0, 0, 1}, slanted{std::sqrt(3.0), 0, 1}, behind{0, 0, -1};
-  const Illumination ambient{.Ia = 1.0, .Ip = 0.0, .ka = 0.9, .kd = 0.9, .ks = 0.0};
-  const Illumination point{.Ia = 0.0, .Ip = 1.0, .ka = 0.9, .kd = 0.9, .ks = 0.0};
-  for (const glm::dvec3& L : {facing, slanted, behind}) EXPECT_NEAR(chainOf(L, ambient).I, 0.9, 1e-12);
-  EXPECT_NEAR(chainOf(facing, point).I, 0.9, 1e-12);
-  EXPECT_NEAR(chainOf(slanted, point).I, 0.45, 1e-12);  // 11 + 107.55 rounds to 119
-  EXPECT_EQ(chainOf(slanted, point).stored, 119);
-  EXPECT_EQ(chainOf(behind, point).I, 0.0);
-  EXPECT_EQ(chainOf(behind, point).stored, 11);
+  const auto I = [](const glm::dvec3& L, double Ia, int cell) {
+    return litFrom(L, {.Ia = Ia, .Ip = 1 - Ia, .ka = 0.9, .kd = 0.9, .ks = 0.0}, cell);
+  };
+  EXPECT_NEAR(I(kFacing, 0.5, 226), 0.9, 1e-12);
+  EXPECT_NEAR(I(kFacing, 0.2, 226), 0.9, 1e-12);
+  EXPECT_NEAR(I(kSlanted, 0.5, 172), 0.675, 1e-12);  // 0.45 + 0.5 0.9 0.5; 11 + 161.325
+  EXPECT_NEAR(I(kSlanted, 0.2, 140), 0.54, 1e-12);   // 0.18 + 0.8 0.9 0.5; 11 + 129.06
+  for (const glm::dvec3& L : {kFacing, kSlanted, kBehind}) EXPECT_NEAR(I(L, 1.0, 226), 0.9, 1e-12);
+  EXPECT_NEAR(I(kFacing, 0.0, 226), 0.9, 1e-12);
+  EXPECT_NEAR(I(kSlanted, 0.0, 119), 0.45, 1e-12);  // 11 + 107.55
+  EXPECT_EQ(I(kBehind, 0.0, 11), 0.0);
 }
 
 // assignment: "I0 = .02", "r = (1./.02)**(1./239.)", "j = round(log (I/I0))", "setting color 11+i". For I =
 // 0.54, log 27 / log r = 3.2958 / 0.016368 = 201.35, so cell 11 + 201; for I = 0.9 it is 232.56, cell 244.
 TEST(ByHand, TheCorrectedTable) {
-  const glm::dvec3 facing{0, 0, 1}, slanted{std::sqrt(3.0), 0, 1};
   const Illumination fifth{.Ia = 0.2, .Ip = 0.8, .ka = 0.9, .kd = 0.9, .ks = 0.0};
-  EXPECT_EQ(chainOf(slanted, fifth, TableKind::Corrected).stored, 212);
-  EXPECT_EQ(chainOf(facing, fifth, TableKind::Corrected).stored, 244);
+  (void)litFrom(kSlanted, fifth, 212, TableKind::Corrected);
+  (void)litFrom(kFacing, fifth, 244, TableKind::Corrected);
 }
 
 // notes: R = 2P - L with P = N (N.L), "if it is negative, change it to 0". N = (0, 0, 1), L = (0.6, 0, 0.8):
@@ -126,7 +110,7 @@ TEST(ByHand, TheNotesReflection) {
   EXPECT_NEAR(terms.diffuse, 146.88 / 255.0, 1e-15);
   EXPECT_NEAR(terms.specular, 52.224 / 255.0, 1e-15);
   const Illumination light{.Ia = 0.2, .Ip = 0.8, .ka = 0.9, .kd = 0.9, .ks = 0.4, .n = 2};
-  EXPECT_NEAR(chainOf({0.6, 0, 0.8}, light).I, 245.004 / 255.0, 1e-12);
+  EXPECT_NEAR(litFrom({0.6, 0, 0.8}, light, 241), 245.004 / 255.0, 1e-12);  // 11 + 229.63
   // The eye on the other side of N: R.V = -0.6 0.8 + 0.8 0.6 = 0, and beyond that it is changed to 0.
   const EquationVectors away{{0, 0, 1}, {0.6, 0, 0.8}, {1, 0, 0}};
   const LightTerms none = lightTerms(Mistake::None, 1.0, 0.8, {0.9, 0.9, 0.4, 2}, away, Form::Textbook);
@@ -139,8 +123,8 @@ TEST(ByHand, TheNotesReflection) {
 TEST(ByHand, TheTutorialsColor) {
   const Illumination light{
       .Ia = 0.25, .Ip = 0.75, .ka = 0.4, .kd = 0.8, .ks = 0.4, .n = 3, .form = Form::Tutorial};
-  EXPECT_NEAR(chainOf({std::sqrt(3.0), 0, 1}, light).I, 0.4375, 1e-12);
-  EXPECT_NEAR(chainOf({std::sqrt(3.0), 0, -1}, light).I, 0.1, 1e-12);
+  EXPECT_NEAR(litFrom(kSlanted, light, 116), 0.4375, 1e-12);             // 11 + 104.56
+  EXPECT_NEAR(litFrom({std::sqrt(3.0), 0, -1}, light, 35), 0.1, 1e-12);  // 11 + 23.9
 }
 
 /// ---- The run of a scanline
@@ -155,9 +139,7 @@ Picture pictureOf(unsigned k, Count& count) {
   constexpr std::array kScenes{"teapot", "textured-cube", "pinwheel", "room", "colored-lights"};
   const char* const name = kScenes[k % kScenes.size()];
   PictureCache pictures{readScene(name, 3)};
-  PictureSettings s = pictures.scene().settings;
-  s.camera = pictures.scene().camera;
-  s.width = kSanitized ? 30 : 90, s.height = kSanitized ? 24 : 70;
+  PictureSettings s = setUpOf(pictures.scene(), kSanitized ? 30 : 90, kSanitized ? 24 : 70);
   s.shading = kShadings[(k + 2 * (k / 5)) % kShadings.size()].id;
   s.polygons = k % 4 < 2 ? Polygons::Triangles : Polygons::Rows;
   s.mapping = k % 3 == 0 ? TextureMapping::Affine : TextureMapping::Perspective;
@@ -223,9 +205,8 @@ TEST(ScanlineRun, EndsInTheStoredCells) {
 // affine.h, and with fewer bits it grows.
 TEST(ScanlineRun, DriftsAsASecondComputation) {
   PictureCache pictures{readScene("teapot", 4)};
-  PictureSettings s = pictures.scene().settings;
-  s.camera = pictures.scene().camera;
-  s.width = 200, s.height = 150, s.shading = Shading::Gouraud;
+  PictureSettings s = setUpOf(pictures.scene(), 200, 150);
+  s.shading = Shading::Gouraud;
   const Picture picture = pictures.make(s, 8);
   int samples = 0, differing = 0;
   for (int face = 0; face < static_cast<int>(picture.snapped().faces.size()); face += kSanitized ? 40 : 5) {
@@ -360,23 +341,6 @@ TEST(ViewingStory, HasTheEquationWithCarriedVectors) {
   if (!seeds.all()) return;
   EXPECT_GT(compared, 100);
   EXPECT_GT(differ, 50);
-}
-
-// By hand: the card's N is z, and the light is at 45 degrees to the left, so N.L is 0.7071. The eye is as far
-// to the left as before the card: the shear x + z makes the line of sight stand straight. L = (-1, 0, 1) goes
-// to (0, 0, 1), N stays: it is the plane's, which lies in z = 0. N.L becomes 1.
-TEST(ViewingStory, TheShearByHand) {
-  const ViewingStory story{cardLitFrom({-1, 0, 1}, offAxis()), {0, 2}};
-  EXPECT_NEAR(*story.world().NdotL, std::sqrt(0.5), 1e-12);
-  EXPECT_NEAR(*story.of(ViewStage::Vrc).NdotL, std::sqrt(0.5), 1e-12);
-  EXPECT_TRUE(story.of(ViewStage::Vrc).keepsAngles);
-  EXPECT_NEAR(*story.of(ViewStage::Sheared).NdotL, 1.0, 1e-12);
-  EXPECT_NEAR(story.of(ViewStage::Sheared).I, 1.0, 1e-12);
-  EXPECT_FALSE(story.of(ViewStage::Sheared).keepsAngles);
-  EXPECT_TRUE(story.differsInNdotL(ViewStage::Sheared));
-  EXPECT_FALSE(story.differsInNdotL(ViewStage::Vrc));
-  EXPECT_EQ(story.cut, 0u);
-  EXPECT_EQ(story.at.size(), 7u);
 }
 
 // A plane that cuts the face is named; a face outside is gone; a vertex outside has no place on the grid.

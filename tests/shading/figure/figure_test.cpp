@@ -95,6 +95,20 @@ TEST(VectorFigure, ShowsTheFaceOfEachSample) {
     }
 }
 
+/// Visits each sample that is a pixel away from other faces. Returns how many there are.
+template <class Visit>
+int forEachInnerSample(const ShownSamples& samples, const Visit& visit) {
+  const auto faceAt = [&](int i, int j) { return samples.faces[std::size_t(j) * kWidth + i]; };
+  int visited = 0;
+  for (int j = 1; j + 1 < kHeight; ++j)
+    for (int i = 1; i + 1 < kWidth; ++i) {
+      bool inside = faceAt(i, j) >= 0;
+      for (int n = 0; n < 9; ++n) inside = inside && faceAt(i + n % 3 - 1, j + n / 3 - 1) == faceAt(i, j);
+      if (inside) visit(i, j), ++visited;
+    }
+  return visited;
+}
+
 // Without tolerance a figure has the colour of each sample that is a pixel away from other faces: between the
 // lines of the cells in Gouraud shading, and from the samples themselves in Phong shading.
 TEST(VectorFigure, ShowsTheShadeOfEachSample) {
@@ -106,19 +120,13 @@ TEST(VectorFigure, ShowsTheShadeOfEachSample) {
       const ShownSamples samples = shownSamples(picture, palette);
       const VectorFigure figure = makeFigure(picture, figureOrder(picture, Order::Newell), palette,
                                              FigureColors::Shades, {0, samples});
-      const auto faceAt = [&](int i, int j) { return samples.faces[std::size_t(j) * kWidth + i]; };
-      int most = 0, compared = 0;
-      for (int j = 1; j + 1 < kHeight; ++j)
-        for (int i = 1; i + 1 < kWidth; ++i) {
-          bool inside = faceAt(i, j) >= 0;
-          for (int n = 0; n < 9; ++n) inside = inside && faceAt(i + n % 3 - 1, j + n / 3 - 1) == faceAt(i, j);
-          if (!inside) continue;
-          ++compared;
-          const FigureColor* shown = colorAt(figure, i * kFigureSteps + 128.25, j * kFigureSteps + 128.25);
-          ASSERT_NE(shown, nullptr);
-          const FigureColor& sample = samples.colors[std::size_t(j) * kWidth + i];
-          for (int c = 0; c < 3; ++c) most = std::max(most, std::abs((*shown)[c] - sample[c]));
-        }
+      int most = 0;
+      const int compared = forEachInnerSample(samples, [&](int i, int j) {
+        const FigureColor* shown = colorAt(figure, i * kFigureSteps + 128.25, j * kFigureSteps + 128.25);
+        ASSERT_NE(shown, nullptr);
+        const FigureColor& sample = samples.colors[std::size_t(j) * kWidth + i];
+        for (int c = 0; c < 3; ++c) most = std::max(most, std::abs((*shown)[c] - sample[c]));
+      });
       EXPECT_GT(compared, 500);
       // The lines have corners in steps, so a sample right beside one may have the next cell.
       EXPECT_LE(most, shading == Shading::Gouraud ? 8 : 0);
@@ -178,15 +186,6 @@ TEST(VectorFigure, CoversWhatCrossesItsBorder) {
   EXPECT_EQ(paths[1].loops.size(), 1u);
 }
 
-// Two triangles of one colour and one level lose the side between them.
-TEST(VectorFigure, JoinsNeighboursOfOneColor) {
-  const glm::ivec2 a{0, 0}, b{0, 1000}, c{1000, 1000}, d{1000, 0};
-  const auto paths = joinedPaths({triangle(a, b, c, 7), triangle(a, c, d, 7)}, {0, 0}, 100, 32, 32);
-  ASSERT_EQ(paths.size(), 1u);
-  ASSERT_EQ(paths[0].loops.size(), 1u);
-  EXPECT_EQ(paths[0].loops[0].size(), 4u);
-}
-
 VectorFigure smallFigure() {
   VectorFigure figure;
   figure.width = 4, figure.height = 3;
@@ -205,17 +204,22 @@ TEST(VectorFigure, WritesSvg) {
             "</g>\n</svg>\n");
 }
 
+/// The table of a PDF file tells at which byte each of its objects begins.
+void expectObjects(const std::string& pdf, int count) {
+  const std::size_t start = pdf.find("startxref\n") + 10, table = std::stoul(pdf.substr(start));
+  ASSERT_TRUE(pdf.substr(table).starts_with("xref\n0 " + std::to_string(count + 1) + '\n'));
+  for (int n = 1; n <= count; ++n) {
+    const std::size_t place = std::stoul(pdf.substr(table + 9 + 20 * std::size_t(n), 10));
+    EXPECT_TRUE(pdf.substr(place).starts_with(std::to_string(n) + " 0 obj\n")) << n;
+  }
+}
+
 // The table of a PDF file tells at which byte each object begins, and the stream has the length that it says.
 TEST(VectorFigure, WritesPdf) {
   const std::string pdf = pdfOf(smallFigure());
   EXPECT_NE(pdf.find("1 .533 .004 rg\n0 0 m\n0 256 l\n256 256 l\nh\nf\n"), pdf.npos);
   EXPECT_NE(pdf.find("\n%xnewell: xnewell draw a<b&c\n"), pdf.npos);
-  const std::size_t start = pdf.find("startxref\n") + 10, table = std::stoul(pdf.substr(start));
-  ASSERT_EQ(pdf.substr(table, 9), "xref\n0 5\n");
-  for (int n = 1; n <= 4; ++n) {
-    const std::size_t place = std::stoul(pdf.substr(table + 9 + 20 * std::size_t(n), 10));
-    EXPECT_TRUE(pdf.substr(place).starts_with(std::to_string(n) + " 0 obj\n")) << n;
-  }
+  expectObjects(pdf, 4);
   const std::size_t begin = pdf.find("stream\n") + 7, end = pdf.find("endstream");
   EXPECT_NE(pdf.find("<</Length " + std::to_string(end - begin) + ">>"), pdf.npos);
 }
@@ -292,14 +296,6 @@ TEST(VectorFigure, WritesTexts) {
     }
     EXPECT_EQ(std::ranges::count_if(inked, [](const auto& p) { return p.second > 0; }), all);
   }
-}
-
-TEST(VectorFigure, KnowsItsFormatsByTheEndOfTheName) {
-  EXPECT_EQ(figureFormatOf("a.b.SVG")->name, "SVG");
-  EXPECT_EQ(figureFormatOf("a.pdf")->name, "PDF");
-  EXPECT_EQ(figureFormatOf("a.eps")->name, "EPS");
-  EXPECT_EQ(figureFormatOf("svg"), nullptr);
-  EXPECT_EQ(figureFormatOf("a.png"), nullptr);
 }
 
 /// ---- Figures that cannot be made
@@ -403,26 +399,19 @@ TEST(SmoothFigure, HasTheShadeOfEachSample) {
     for (const FigurePath& path : figure.paths)
       for (const FigureTriangle& t : path.triangles)
         ASSERT_NE(doubleAreaOf(t.corners[0], t.corners[1], t.corners[2]), 0);
-    int compared = 0;
-    for (int j = 1; j + 1 < kHeight; ++j)
-      for (int i = 1; i + 1 < kWidth; ++i) {
-        const auto faceAt = [&](int x, int y) { return samples.faces[std::size_t(y) * kWidth + x]; };
-        bool inside = faceAt(i, j) >= 0;
-        for (int n = 0; n < 9; ++n) inside = inside && faceAt(i + n % 3 - 1, j + n / 3 - 1) == faceAt(i, j);
-        if (!inside) continue;
-        std::optional<std::array<double, 3>> last;
-        for (const FigurePath& path : figure.paths)
-          for (const FigureTriangle& triangle : path.triangles)
-            if (const auto color = colorOf(triangle, i * kFigureSteps + 128, j * kFigureSteps + 128))
-              last = color;
-        ASSERT_TRUE(last) << i << ' ' << j;
-        ++compared;
-        const std::size_t at = std::size_t(j) * kWidth + i;
-        for (int c = 0; c < 3; ++c) {
-          EXPECT_NEAR((*last)[c], samples.colors[at][c], figure.statistics.off) << i << ' ' << j;
-          EXPECT_NEAR((*last)[c], sampled[at][c], 0.5 + 1e-6) << i << ' ' << j;
-        }
+    const int compared = forEachInnerSample(samples, [&](int i, int j) {
+      std::optional<std::array<double, 3>> last;
+      for (const FigurePath& path : figure.paths)
+        for (const FigureTriangle& triangle : path.triangles)
+          if (const auto color = colorOf(triangle, i * kFigureSteps + 128, j * kFigureSteps + 128))
+            last = color;
+      ASSERT_TRUE(last) << i << ' ' << j;
+      const std::size_t at = std::size_t(j) * kWidth + i;
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR((*last)[c], samples.colors[at][c], figure.statistics.off) << i << ' ' << j;
+        EXPECT_NEAR((*last)[c], sampled[at][c], 0.5 + 1e-6) << i << ' ' << j;
       }
+    });
     EXPECT_GT(compared, 500);
   }
 }
@@ -465,10 +454,7 @@ TEST(SmoothFigure, WritesTriangles) {
       for (const int level : t.colors[k]) EXPECT_EQ(number(1), level);
     }
   EXPECT_EQ(pdf.substr(at, 11), "\nendstream\n");
-  const std::size_t table = std::stoul(pdf.substr(pdf.find("startxref\n") + 10));
-  for (int n = 1; n <= 6; ++n)
-    EXPECT_TRUE(pdf.substr(std::stoul(pdf.substr(table + 9 + 20 * std::size_t(n), 10)))
-                    .starts_with(std::to_string(n) + " 0 obj\n"));
+  expectObjects(pdf, 6);
 }
 
 }  // namespace
