@@ -10,6 +10,7 @@
 #include "geometry/model/bezier.h"
 #include "shading/extremes/extreme_ways.h"
 #include "shading/picture/picture_cache.h"
+#include "tests/support/small_picture.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -50,6 +51,19 @@ Start startOf(const Scene& scene, const PictureSettings& settings, const Camera&
           .facing = {0, 0, 1}};
 }
 
+/// Calls use(case) for all values of all ways. Where there is no view, there is no case.
+template <class Use>
+void forEachDrive(const Start& start, const Use& use) {
+  for (const Way& way : extremeWays())
+    for (const double value : way.values) {
+      SCOPED_TRACE(testing::Message() << way.name << ' ' << value);
+      try {
+        use(way.at(start, value));
+      } catch (const ViewError&) {
+      }
+    }
+}
+
 const Extreme& named(const Extremes& extremes, std::string_view name) {
   return *std::ranges::find(extremes.ways, name, &Extreme::name);
 }
@@ -72,6 +86,11 @@ Extreme wayOf(std::string_view letters, std::string_view unit = "degrees") {
   }
   return way;
 }
+
+const std::string kWrong = "a face that is not the nearest at 7 of 99 samples";
+const std::string kMissing = "no face at 7 of 99 samples that should show one";
+const std::string kDoubt = "a face as near as the nearest, to a step of the grid, at 5 of 99 samples";
+const std::string kChanged = "another face or shade than at first at 3 samples";
 
 std::string found(std::string_view letters, std::string_view setUp = "r") {
   return findingOf(wayOf(letters), wayOf(setUp).steps.front());
@@ -234,22 +253,14 @@ TEST(Extremes, PatchesGoWithTheirMesh) {
   const Camera camera = makePicture(scene, scene.settings).camera();
   const Start start = startOf(scene, scene.settings, camera);
   int with = 0, without = 0;
-  for (const Way& way : extremeWays())
-    for (const double value : way.values) {
-      SCOPED_TRACE(testing::Message() << way.name << ' ' << value);
-      Case drive;
-      try {
-        drive = way.at(start, value);
-      } catch (const ViewError&) {
-        continue;
-      }
-      for (std::size_t k = 0; k < drive.scene.patches.size(); ++k) {
-        const PatchRun &run = drive.scene.patches[k], &before = scene.patches[k];
-        EXPECT_EQ(cornerNormals(run.patches, run.divisions).size(),
-                  cornerNormals(before.patches, before.divisions).size());
-      }
-      (drive.scene.patches.empty() ? without : with) += 1;
+  forEachDrive(start, [&](const Case& drive) {
+    for (std::size_t k = 0; k < drive.scene.patches.size(); ++k) {
+      const PatchRun &run = drive.scene.patches[k], &before = scene.patches[k];
+      EXPECT_EQ(cornerNormals(run.patches, run.divisions).size(),
+                cornerNormals(before.patches, before.divisions).size());
     }
+    (drive.scene.patches.empty() ? without : with) += 1;
+  });
   EXPECT_GT(with, 50);
   EXPECT_GT(without, 12);  // a copy in front has none, at twelve values
 }
@@ -258,9 +269,7 @@ TEST(Extremes, PatchesGoWithTheirMesh) {
 // exact. There is a pillar as long as a thousand million million of the others.
 TEST(Extremes, IntensitiesAreNumbers) {
   const Scene scene = readScene(XNEWELL_DATA_DIR "/../tests/data/long-pillar.json");
-  PictureSettings settings = scene.settings;
-  settings.width = 16, settings.height = 12;
-  settings.camera = scene.camera;
+  const PictureSettings settings = setUpOf(scene, 16, 12);
   const Camera camera = makePicture(scene, settings).camera();
   const Rays rays{scene, camera, settings};
   const auto hit = rays.nearest(7.5, 5.5);
@@ -268,21 +277,13 @@ TEST(Extremes, IntensitiesAreNumbers) {
   Start start = startOf(scene, settings, camera);
   start.target = rays.point(7.5, 5.5, hit->t);
   int pictures = 0;
-  for (const Way& way : extremeWays())
-    for (const double value : way.values) {
-      SCOPED_TRACE(testing::Message() << way.name << ' ' << value);
-      try {
-        Case drive = way.at(start, value);
-        const Picture picture = makePicture(std::move(drive.scene), drive.settings);
-        const SeenRows seen = picture.seen(0, picture.settings().height);
-        const std::vector<double> I = picture.intensities(seen);
-        for (std::size_t k = 0; k < I.size(); ++k)
-          ASSERT_EQ(std::isnan(I[k]), seen.faces[k] == kNothing) << k;
-        ++pictures;
-      } catch (const ViewError&) {
-        continue;
-      }
-    }
+  forEachDrive(start, [&](Case drive) {
+    const Picture picture = makePicture(std::move(drive.scene), drive.settings);
+    const SeenRows seen = picture.seen(0, picture.settings().height);
+    const std::vector<double> I = picture.intensities(seen);
+    for (std::size_t k = 0; k < I.size(); ++k) ASSERT_EQ(std::isnan(I[k]), seen.faces[k] == kNothing) << k;
+    ++pictures;
+  });
   EXPECT_GT(pictures, 60);
 }
 
@@ -338,34 +339,23 @@ TEST(Extremes, SentencesHaveTheScenesNumbers) {
 // told if it grows.
 TEST(Extremes, AFindingHoldsWhatItSays) {
   EXPECT_EQ(found("rrr"), "right up to 100 degrees");
-  EXPECT_EQ(found("rww"), "wrong from 10 degrees on: a face that is not the nearest at 7 of 99 samples");
-  EXPECT_EQ(found("rwr"), "wrong at 10 degrees: a face that is not the nearest at 7 of 99 samples");
-  EXPECT_EQ(found("rwWr"),
-            "wrong from 10 to 100 degrees: a face that is not the nearest at 7 of 99 samples (9 at 100)");
-  EXPECT_EQ(found("rmrc"),
-            "wrong at 10 degrees: no face at 7 of 99 samples that should show one; at 1000 degrees: "
-            "another face or shade than at first at 3 samples");
+  EXPECT_EQ(found("rww"), "wrong from 10 degrees on: " + kWrong);
+  EXPECT_EQ(found("rwr"), "wrong at 10 degrees: " + kWrong);
+  EXPECT_EQ(found("rwWr"), "wrong from 10 to 100 degrees: " + kWrong + " (9 at 100)");
+  EXPECT_EQ(found("rmrc"), "wrong at 10 degrees: " + kMissing + "; at 1000 degrees: " + kChanged);
   EXPECT_EQ(found("rxx"), "wrong from 10 degrees on: too far");
-  EXPECT_EQ(findingOf(wayOf("rw", "(powers of ten)"), {}),
-            "wrong at 10: a face that is not the nearest at 7 of 99 samples");
+  EXPECT_EQ(findingOf(wayOf("rw", "(powers of ten)"), {}), "wrong at 10: " + kWrong);
 }
 
 // What the grid cannot tell is called doubtful. It is explained if nothing is wrong.
 TEST(Extremes, AFindingKeepsDoubtApart) {
-  EXPECT_EQ(found("rdd"),
-            "doubtful from 10 degrees on: a face as near as the nearest, to a step of the grid, at 5 of 99 "
-            "samples");
-  EXPECT_EQ(found("rdwr"),
-            "doubtful at 10 degrees: a face as near as the nearest, to a step of the grid, at 5 of 99 "
-            "samples; wrong "
-            "at 100 degrees: a face that is not the nearest at 7 of 99 samples");
+  EXPECT_EQ(found("rdd"), "doubtful from 10 degrees on: " + kDoubt);
+  EXPECT_EQ(found("rdwr"), "doubtful at 10 degrees: " + kDoubt + "; wrong at 100 degrees: " + kWrong);
   EXPECT_EQ(found("ddd", "d"), "doubtful as the set-up itself, at all values");
   const ExtremeStep right = wayOf("r").steps.front(), doubtful = wayOf("d").steps.front();
   EXPECT_TRUE(doubtful.isDoubtful());
   EXPECT_FALSE(doubtful.isWrong());
-  EXPECT_EQ(findingOf(doubtful),
-            "The set-up itself is doubtful: a face as near as the nearest, to a step of the grid, at 5 of 99 "
-            "samples.");
+  EXPECT_EQ(findingOf(doubtful), "The set-up itself is doubtful: " + kDoubt + '.');
   const Extreme way = wayOf("rdw"), only = wayOf("rdd"), empty = wayOf("rre");
   EXPECT_EQ(firstWrong(only, right), nullptr);
   EXPECT_EQ(firstToExplain(way, right)->why, "at 2");
@@ -380,9 +370,7 @@ TEST(Extremes, AFindingTellsThatNoFaceShows) {
   EXPECT_EQ(found("eee"), "shows no face from 1 degrees on");
   EXPECT_EQ(found("ree"), "right up to 1 degrees; shows no face from 10 degrees on");
   EXPECT_EQ(found("rrer"), "right up to 10 degrees; shows no face at 100 degrees; elsewhere right");
-  EXPECT_EQ(found("rwe"),
-            "wrong at 10 degrees: a face that is not the nearest at 7 of 99 samples; no face shows at 100 "
-            "degrees");
+  EXPECT_EQ(found("rwe"), "wrong at 10 degrees: " + kWrong + "; no face shows at 100 degrees");
   EXPECT_EQ(findingOf(wayOf("e").steps.front()), "The set-up itself shows no face.");
 }
 
@@ -391,15 +379,12 @@ TEST(Extremes, AFindingTellsThatNoFaceShows) {
 TEST(Extremes, AFindingLeavesOutTheSetUpsFaults) {
   const ExtremeStep right = wayOf("r").steps.front(), wrong = wayOf("w").steps.front();
   EXPECT_EQ(findingOf(right), "");
-  EXPECT_EQ(findingOf(wrong),
-            "The set-up itself is wrong: a face that is not the nearest at 7 of 99 samples.");
+  EXPECT_EQ(findingOf(wrong), "The set-up itself is wrong: " + kWrong + '.');
   EXPECT_EQ(found("wWw", "w"), "wrong as the set-up itself, at all values");
   EXPECT_EQ(found("wwr", "w"), "wrong as the set-up itself, up to 10 degrees");
-  EXPECT_EQ(found("wrc", "w"),
-            "wrong as the set-up itself, up to 1 degrees; at 100 degrees: another face or shade than at "
-            "first at 3 samples");
+  EXPECT_EQ(found("wrc", "w"), "wrong as the set-up itself, up to 1 degrees; at 100 degrees: " + kChanged);
   // Another fault at the start of the way than that of the set-up is the way's own.
-  EXPECT_EQ(found("mm", "w"), "wrong from 1 degrees on: no face at 7 of 99 samples that should show one");
+  EXPECT_EQ(found("mm", "w"), "wrong from 1 degrees on: " + kMissing);
   EXPECT_EQ(firstWrong(wayOf("www"), wrong), nullptr);
   EXPECT_EQ(firstWrong(wayOf("rrr"), right), nullptr);
   const Extreme later = wayOf("wwc"), own = wayOf("www");

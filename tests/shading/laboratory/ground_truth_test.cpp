@@ -24,91 +24,66 @@ namespace {
 
 /// ---- The ground truth
 
-using Long = double;
 using Vec = glm::dvec3;
 
-/// A place on a surface that a ray meets first, in file coordinates.
-struct Met {
-  Long t;
-  Vec N;  ///< unit, outward
+/// The surface f = 0 about its centre, in file coordinates. It ends where |x| or |y| exceeds `reach`.
+struct Surface {
+  Vec centre;
+  std::function<double(const Vec&)> f;
+  double reach = 9;
+
+  static constexpr double kBegin = 6, kEnd = 16, kStep = 0.04;  ///< along a ray
+  /// How far along it a ray meets the surface first: small steps find the place, and halves make it exact.
+  [[nodiscard]] double meets(const Vec& from, const Vec& along) const {
+    const auto isBelow = [&](double t) { return f(from + t * along - centre) < 0; };
+    for (double t = kBegin; t < kEnd; t += kStep) {
+      if (isBelow(t) == isBelow(t + kStep)) continue;
+      double low = t, high = t + kStep;
+      for (int k = 0; k < 40; ++k) {
+        const double middle = (low + high) / 2;
+        (isBelow(middle) == isBelow(low) ? low : high) = middle;
+      }
+      const Vec p = from + low * along - centre;
+      if (std::max(std::abs(p.x), std::abs(p.y)) <= reach) return low;
+    }
+    return kEnd;
+  }
+  /// The gradient of f, a unit vector.
+  [[nodiscard]] Vec normal(const Vec& p) const {
+    Vec N;
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec step{0};
+      step[axis] = 1e-5;
+      N[axis] = f(p - centre + step) - f(p - centre - step);
+    }
+    return normalize(N);
+  }
 };
-using Surface = std::function<std::optional<Met>(const Vec& from, const Vec& along)>;
-
-/// The ellipsoid (p - centre) / axes on the unit sphere: the smaller root of a quadratic.
-Surface ellipsoid(const Vec& centre, const Vec& axes) {
-  return [=](const Vec& from, const Vec& along) -> std::optional<Met> {
-    const Vec o = (from - centre) / axes, d = along / axes;
-    const Long a = dot(d, d), b = dot(o, d), c = dot(o, o) - 1, root = b * b - a * c;
-    if (root < 0) return std::nullopt;
-    const Long t = (-b - std::sqrt(root)) / a;
-    return Met{t, normalize((o + t * d) / axes)};
-  };
-}
-
-/// The torus about the z axis with radii 1 and 0.4. Steps along the ray are as long as the distance to it.
-Surface torus(const Vec& centre) {
-  return [=](const Vec& from, const Vec& along) -> std::optional<Met> {
-    const auto ring = [&](const Vec& p) {
-      const Long r = std::sqrt(p.x * p.x + p.y * p.y);
-      return r > 0 ? p - Vec{p.x / r, p.y / r, 0} : p;
-    };
-    Long t = 0;
-    for (int step = 0; step < 2'000 && t < 40; ++step) {
-      const Vec away = ring(from + t * along - centre);
-      const Long distance = length(away) - 0.4;
-      if (distance < 1e-9) return Met{t, normalize(away)};
-      t += distance;
-    }
-    return std::nullopt;
-  };
-}
-
-/// The vault z = 0.9 (4 - x^2) / 4 over |x|, |y| <= 2 about `at`, which the patch of kVault is.
-Surface vault(const Vec& at) {
-  return [=](const Vec& from, const Vec& along) -> std::optional<Met> {
-    const Vec o = from - at;
-    const Long k = 0.225, a = k * along.x * along.x, b = 2 * k * o.x * along.x + along.z,
-               c = o.z + k * o.x * o.x - 0.9, root = b * b - 4 * a * c;
-    std::optional<Met> first;
-    const auto take = [&](Long t) {
-      const Vec p = o + t * along;
-      if (t > 0 && std::abs(p.x) <= 2 && std::abs(p.y) <= 2 && (!first || t < first->t))
-        first = Met{t, normalize(Vec{2 * k * p.x, 0, 1})};
-    };
-    if (a < 1e-12) {
-      take(-c / b);
-    } else if (root >= 0) {
-      take((-b - std::sqrt(root)) / (2 * a));
-      take((-b + std::sqrt(root)) / (2 * a));
-    }
-    return first;
-  };
-}
 
 /// A view from `eye` to `at`, z up, lit from a direction. It computes what a pixel should show.
 struct Judge {
   Vec eye, at, L;
-  Long fov, Ia, Ip;
+  double fov, Ia, Ip;
   std::vector<Surface> surfaces;
 
   /// The intensity at the centre of a pixel; nothing for background.
-  [[nodiscard]] std::optional<Long> operator()(int i, int j, int width, int height) const {
+  [[nodiscard]] std::optional<double> operator()(int i, int j, int width, int height) const {
     const Vec n = normalize(eye - at), u = normalize(cross(Vec{0, 0, 1}, n)), v = cross(n, u);
-    const Long half = std::tan(fov / 360 * 3.14159265358979323846);
-    const Long x = half * width / height * (2 * (i + 0.5) / width - 1),
-               y = half * (1 - 2 * (j + 0.5) / height);
+    const double half = std::tan(fov / 360 * 3.14159265358979323846);
+    const double x = half * width / height * (2 * (i + 0.5) / width - 1),
+                 y = half * (1 - 2 * (j + 0.5) / height);
     const Vec along = normalize(x * u + y * v - n);
-    std::optional<Met> first;
+    double first = Surface::kEnd;
+    const Surface* nearest = nullptr;
     for (const Surface& surface : surfaces)
-      if (const std::optional<Met> met = surface(eye, along); met && (!first || met->t < first->t))
-        first = met;
-    if (!first) return std::nullopt;
-    const Vec N = dot(first->N, along) > 0 ? -first->N : first->N;
-    return Ia + Ip * std::max<Long>(0, dot(N, L));
+      if (const double t = surface.meets(eye, along); t < first) first = t, nearest = &surface;
+    if (!nearest) return std::nullopt;
+    const Vec out = nearest->normal(eye + first * along), N = dot(out, along) > 0 ? -out : out;
+    return Ia + Ip * std::max(0.0, dot(N, L));
   }
 };
 
-/// The patch of vault(): x = 4 u - 2, y = 4 v - 2.
+/// The patch of the vault z = 0.9 (4 - x^2) / 4: x = 4 u - 2, y = 4 v - 2.
 std::string vaultPatch() {
   std::string text = "1\n3 3\n";
   for (int i = 0; i < 4; ++i)
@@ -132,7 +107,12 @@ Judge judgeOfFew() {
           36,
           0.2,
           0.7,
-          {ellipsoid({-1.6, -0.6, 1.7}, {1.2, 0.8, 1}), vault({-1, 1, -1}), torus({1.7, 0.2, 0.4})}};
+          {{{-1.6, -0.6, 1.7},
+            [](const Vec& p) {
+              return length(p / Vec{1.2, 0.8, 1}) - 1;
+            }},
+           {{-1, 1, -1}, [](const Vec& p) { return p.z - 0.225 * (4 - p.x * p.x); }, 2},
+           {{1.7, 0.2, 0.4}, [](const Vec& p) { return std::hypot(std::hypot(p.x, p.y) - 1, p.z) - 0.4; }}}};
 }
 
 struct Few {
@@ -148,14 +128,11 @@ struct Few {
   PictureSettings settings;
 };
 
-double errorOf(const std::string& name, int divisions, ColorPlan colors, int width, int height) {
-  const Scene scene = readScene(name, divisions);
-  PictureSettings s = scene.settings;
+Errors errorsOfPicture(const Scene& scene, PictureSettings s, int width, int height) {
   s.width = width, s.height = height;
-  s.colors = colors;
-  s.camera = completed({}, scene.camera);
-  const Picture picture = makePicture(scene, s, CellPlan{s.table.kind}[Cell::Well]);
-  return errorsOf(picture, picture.palette(CellPlan{s.table.kind})).afterTable.rootMeanSquare;
+  const CellPlan cells{s.table.kind};
+  const Picture picture = makePicture(scene, s, cells[Cell::Well]);
+  return errorsOf(picture, picture.palette(cells));
 }
 
 // Rays meet the true ellipsoid, torus and vault, however few polygons the file asks for. The truth has the
@@ -170,7 +147,7 @@ TEST(GroundTruth, IsThatOfTheSurfaces) {
   for (int j = 0; j < few.settings.height; ++j)
     for (int i = 0; i < few.settings.width; ++i) {
       const std::size_t k = std::size_t(j) * few.settings.width + i;
-      const std::optional<Long> I = judge(i, j, few.settings.width, few.settings.height);
+      const std::optional<double> I = judge(i, j, few.settings.width, few.settings.height);
       const bool shows = truth.reference().faces()[k] != kNothing;
       shown += I.has_value();
       beyond += I && truth.polygons().faces()[k] == kNothing;
@@ -196,7 +173,7 @@ TEST(GroundTruth, GivesTheErrorsOfThePolygons) {
       for (int i = 0; i < few.settings.width; ++i) {
         const int cell = picture.image().row(j)[i];
         const bool shows = cell != picture.ground();
-        const std::optional<Long> due = judge(i, j, few.settings.width, few.settings.height);
+        const std::optional<double> due = judge(i, j, few.settings.width, few.settings.height);
         if (!shows && !due) continue;
         const double error =
             (shows ? picture.colors().intensityOf(cell) : 0.0) - static_cast<double>(due.value_or(0));
@@ -219,6 +196,12 @@ TEST(GroundTruth, GivesTheErrorsOfThePolygons) {
 
 // The figures of another program, which has true spheres, and patches of many polygons.
 TEST(GroundTruth, IsThatOfBuiltInScenes) {
+  const auto errorOf = [](const std::string& name, int divisions, ColorPlan colors, int width, int height) {
+    const Scene scene = readScene(name, divisions);
+    PictureSettings s = scene.settings;
+    s.colors = colors, s.camera = completed({}, scene.camera);
+    return errorsOfPicture(scene, s, width, height).afterTable.rootMeanSquare;
+  };
   EXPECT_NEAR(errorOf("colored-lights", 8, ColorPlan::OneHue, 320, 240), 0.0116, 0.0002);
   EXPECT_NEAR(errorOf("colored-lights", 2, ColorPlan::OneHue, 320, 240), 0.0487, 0.0005);
   EXPECT_NEAR(errorOf("hues", 8, ColorPlan::Needed, 640, 480), 0.0376, 0.002);
@@ -227,13 +210,8 @@ TEST(GroundTruth, IsThatOfBuiltInScenes) {
 // A patch is as wrong if its file sets the divisions as if the user does.
 TEST(GroundTruth, DoesNotAskWhoSetTheDivisions) {
   const Scene own = readScene("coarse-teapot"), open = readScene("teapot", 3);
-  PictureSettings s = own.settings;
-  s.width = 120, s.height = 90;
-  const auto errors = [&](const Scene& scene) {
-    const Picture picture = makePicture(scene, s, CellPlan{}[Cell::Well]);
-    return errorsOf(picture, picture.palette(CellPlan{}));
-  };
-  const Errors a = errors(own), b = errors(open);
+  const Errors a = errorsOfPicture(own, own.settings, 120, 90),
+               b = errorsOfPicture(open, own.settings, 120, 90);
   EXPECT_NEAR(a.afterTable.rootMeanSquare, b.afterTable.rootMeanSquare, 1e-9);
   EXPECT_GT(a.afterTable.rootMeanSquare, 0.08);
 }
@@ -390,20 +368,18 @@ TEST(Errors, OfOneCard) {
   EXPECT_EQ(e.worst.front().due, glm::dvec3{0.75});
   EXPECT_EQ(e.worst.front().shown, glm::dvec3{1.0});
   EXPECT_EQ(e.worst.front().error, 0.25);
-  // The linear table stores 240/255 for full intensity.
-  const auto gray = [](double v) {
-    const auto c = static_cast<std::uint16_t>(std::floor(65535 * v + 0.5));
-    return labFromSrgb(Rgb16{c, c, c});
-  };
-  expectAll(e.color, static_cast<float>(ciede2000(gray(0.75), gray(240.0 / 255))), 1600);
-  card.settings.table.hue = {1, 0.5, 0};  // the hue belongs to the model: the reference has it too
-  const auto orange = [](double v) {
-    const auto c = [&](double share) {
-      return static_cast<std::uint16_t>(std::floor(65535 * v * share + 0.5));
+  // The linear table stores 240/255 for full intensity. The hue belongs to the model: the reference has it
+  // too.
+  const auto difference = [](const glm::dvec3& hue) {
+    const auto lab = [&](double v) {
+      const glm::dvec3 c = glm::floor(65535 * v * hue + 0.5);
+      return labFromSrgb(Rgb16{std::uint16_t(c.r), std::uint16_t(c.g), std::uint16_t(c.b)});
     };
-    return labFromSrgb(Rgb16{c(1), c(0.5), 0});
+    return ciede2000(lab(0.75), lab(240.0 / 255));
   };
-  EXPECT_NEAR(card.errors().color.mean, ciede2000(orange(0.75), orange(240.0 / 255)), 0.01);
+  expectAll(e.color, static_cast<float>(difference({1, 1, 1})), 1600);
+  card.settings.table.hue = {1, 0.5, 0};
+  EXPECT_NEAR(card.errors().color.mean, difference({1, 0.5, 0}), 0.01);
 
   card.settings.shading = Shading::Full;
   expectAll(card.errors().beforeTable, 0.25, 1600);

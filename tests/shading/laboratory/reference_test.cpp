@@ -17,6 +17,7 @@
 #include "tests/bench/triangulated.h"
 #include "tests/support/brief_light.h"
 #include "tests/support/seeds.h"
+#include "tests/support/small_picture.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -62,13 +63,7 @@ Scene moved(const Scene& scene, double scale, double shift) {
   return result;
 }
 
-PictureSettings settingsOf(const Scene& scene) {
-  PictureSettings s = scene.settings;
-  s.width = kWidth;
-  s.height = kHeight;
-  s.camera = completed({}, scene.camera);
-  return s;
-}
+PictureSettings settingsOf(const Scene& scene) { return setUpOf(scene, kWidth, kHeight); }
 
 struct Agreement {
   int compared = 0, unsure = 0;   ///< samples that show a face
@@ -210,34 +205,23 @@ TEST(Reference, IsTheEquationOfTheUsersLight) {
     }
 }
 
-// The user's attenuation takes the place of that of the scene's lights at places. The file with the same
-// words at each of these lights shows the same, bit by bit, with defaults and without; a directional light
-// stays.
+// The user's attenuation takes the place of that of the scene's lights at places, with defaults and without;
+// a directional light stays.
 TEST(Reference, FadesTheScenesLightsAsTheUserSays) {
-  const auto withLights = [](const std::string& point, const std::string& spot) {
-    const std::string lights = R"("lights": [{"Ip": 0.2, "towards": [1, -1, 0.4]},
-      {"kind": "point", "color": [0.3, 0.1, 0.2], "at": [-3, -2, 4])" +
-                               point + R"(}, {"kind": "spot", "Ip": 0.3, "at": [2, -4, 5])" + spot + "}], ";
-    return parseSceneFile('{' + lights + std::string{kEverything}.substr(1), "faded", XNEWELL_DATA_DIR);
-  };
-  const Scene own = withLights(R"(, "attenuation": "inverse")", "");
+  Scene scene = everything();
+  scene.light.lights = {{.Ip = glm::dvec3{0.2}, .direction = {1, -1, 0.4}},
+                        lamp(LightKind::Point, Attenuation::Inverse, scene),
+                        lamp(LightKind::Spot, Attenuation::None, scene)};
+  const IndexImage asItIs = makePicture(scene, settingsOf(scene), 0).image();
   for (const AttenuationRow& row : kAttenuations)
     for (const bool given : {false, true}) {
       SCOPED_TRACE(row.name);
-      std::string words = R"(, "attenuation": ")" + std::string{row.name} + '"';
-      PictureSettings s = settingsOf(own);
-      const PictureSettings asItIs = s;
+      PictureSettings s = settingsOf(scene);
       s.light.attenuation = row.id;
-      if (given && row.id == Attenuation::Linear) words += R"(, "range": 9)", s.light.range = 9;
-      if (given && row.id == Attenuation::Textbook)
-        words += R"(, "c": [0.2, 0.1, 0.02])", s.light.c = {0.2, 0.1, 0.02};
-      const Scene said = withLights(words, words);
-      const Picture faded = makePicture(own, s, 0), written = makePicture(said, asItIs, 0);
-      EXPECT_EQ(faded.image(), written.image());
-      EXPECT_NE(faded.image(), makePicture(own, asItIs, 0).image());
-      const Reference one{faded}, other{written};
-      for (std::size_t k = 0; k < one.faces().size(); ++k) ASSERT_EQ(one.I(k), other.I(k));
-      expectAgreement(own, s);
+      if (given && row.id == Attenuation::Linear) s.light.range = 9;
+      if (given && row.id == Attenuation::Textbook) s.light.c = {0.2, 0.1, 0.02};
+      EXPECT_NE(makePicture(scene, s, 0).image(), asItIs);
+      expectAgreement(scene, s);
     }
 }
 
@@ -393,18 +377,6 @@ TEST(Profile, MethodsAreWhatTheyInterpolate) {
   EXPECT_GT(bend, 1e-5);
 }
 
-// Twice as many pixels halve the steps of continuous profiles, but not the jumps of flat shading.
-TEST(Profile, ContinuousStepsShrinkWithThePixels) {
-  const BallLine coarse{400}, fine{1600};
-  const auto ratio = [&](Shading method) {
-    return fine.of(method).largestJump / coarse.of(method).largestJump;
-  };
-  EXPECT_GT(ratio(Shading::Flat), 0.9);
-  EXPECT_LT(ratio(Shading::Gouraud), 0.35);
-  EXPECT_LT(ratio(Shading::Phong), 0.35);
-  EXPECT_GT(coarse.of(Shading::Gouraud).largestJump, 0.001);
-}
-
 // Known slopes: a staircase has jumps, an even bend has one kink, and nothing is measured across a gap.
 TEST(Profile, MeasuresJumpsAndKinks) {
   std::vector<double> steps, bend, roof;
@@ -543,32 +515,15 @@ TEST(Profile, TheTwoSidesAreTwoSurfaces) {
   EXPECT_GT(samples, 500);
 }
 
-// The strip is the row of the method's picture, whatever method the given picture is in.
-TEST(Profile, ShowsTheRowOfEachMethod) {
-  PictureCache pictures{readScene("teapot", 4)};
-  PictureSettings s = wide(200);
-  s.shading = Shading::Gouraud;
-  const Scanline line = scanlineOf(pictures.make(s), 60, 8);
-  for (const Profile& p : line.profiles) {
-    s.shading = p.method;
-    const IndexImage image = pictures.make(s, 8).image();
-    EXPECT_TRUE(std::equal(p.cells.begin(), p.cells.end(), image.row(60), image.row(61)));
-  }
-  EXPECT_NE(line.profiles[0].cells, line.profiles[1].cells);
-}
-
 // The default is the middle row, unless it shows nothing.
 TEST(Profile, DefaultScanlineShowsSomething) {
-  Mesh m;
-  m.points = {{-1, 0.5, 0}, {1, 0.5, 0}, {0, 0.9, 0}};
-  const int triangle[] = {0, 1, 2};
-  m.addFace(triangle, 0);
+  const Scene scene = parseSceneFile(
+      R"({"objects": [{"polygons": [[[-1, 0.5, 0], [1, 0.5, 0], [0, 0.9, 0]]]}],
+          "camera": {"eye": [0, 0, 3], "look_at": [0, 0, 0], "parallel": 2}})",
+      "above", ".");
   PictureSettings s = wide(100);
-  s.camera.parallel = true;
-  s.camera.eye = glm::dvec3{0, 0, 3};
-  s.camera.lookAt = glm::dvec3{0};
-  s.camera.height = 2.0;
-  const Picture above = makePicture(makeScene("above", m, UpAxis::Y), s);
+  s.camera = scene.camera;
+  const Picture above = makePicture(scene, s);
   const SeenRows middle = above.seen(25, 26);
   const SeenRows chosen = above.seen(defaultScanline(above), defaultScanline(above) + 1);
   const auto shown = [](const SeenRows& r) {
@@ -584,11 +539,10 @@ TEST(Profile, DefaultScanlineShowsSomething) {
 TEST(Profile, CellsAreOfThePicturesPlan) {
   for (const Shading shading : {Shading::Full, Shading::Depth, Shading::Flat, Shading::Gouraud,
                                 Shading::Phong, Shading::Environment}) {
-    Scene scene = readScene("hues");
-    PictureSettings settings = scene.settings;
-    settings.camera = scene.camera;
-    settings.width = 200, settings.height = 150, settings.shading = shading;
-    const Picture picture = makePicture(std::move(scene), settings, 8);
+    const Scene scene = readScene("hues");
+    PictureSettings settings = setUpOf(scene, 200, 150);
+    settings.shading = shading;
+    const Picture picture = makePicture(scene, settings, 8);
     for (const int row : {60, 80, 100}) {
       const Scanline line = scanlineOf(picture, row, 8);
       const SeenRows seen = picture.seen(row, row + 1);
