@@ -107,57 +107,6 @@ TEST(Model, WhatIsNearTheEyeLeavesNoDoubtAboutTheRest) {
   EXPECT_GT(splits, 400);
 }
 
-// A split changes no shading. In every method each pixel has the colour of its face, in the painter's picture
-// and in the oracle's, whatever piece shows it: the cell of the face's stored intensity.
-TEST(Model, PiecesHaveTheColorOfTheirFace) {
-  const Seeds seeds{24};
-  long ofPieces = 0, same = 0;
-  std::vector<int> colors(256, 0);
-  for (const char* name : {"teapot", "tori", "cycle", "pinwheels", "slivers"}) {
-    SCOPED_TRACE(name);
-    PictureCache newell{readScene(name, 6)}, oracle{newell.scene()};
-    for (const ShadingRow& shading : kShadings)
-      for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
-        SCOPED_TRACE(seed);
-        PictureSettings s = randomView(newell.scene(), seed, kWidth, kHeight);
-        s.shading = shading.id;
-        const IndexImage image = newell.make(s, 0).image();
-        s.order = Order::Oracle;
-        const IndexImage exact = oracle.make(s, 0).image();
-        const Picture complete = newell.last().withPlanes();
-        const SnappedScene& snapped = complete.snapped();
-        const ColorTable table{s.table};
-        const std::vector<std::uint32_t> shown = newell.last().faceImage(), seen = oracle.last().faceImage();
-        std::vector<int> face = painted(snapped, newell.last().sorted(), kWidth, kHeight);
-        for (int k = 0; k < kWidth * kHeight; ++k) {
-          if (face[k] == kNothing) continue;
-          const SnappedFace& f = snapped.faces[face[k]];
-          if (shading.id == Shading::Full) {
-            ASSERT_EQ(image.pixels[k], table.cell(1.0));
-          } else if (shading.id == Shading::Flat) {
-            const FrontBack<double>& I = oracle.last().shading().intensities(0).I[f.number];
-            ASSERT_EQ(image.pixels[k], table.cell(I.seen(f.back)));
-          }
-          ASSERT_EQ(shown[k], f.number + 1u);
-          if (shown[k] != seen[k]) continue;
-          ASSERT_EQ(image.pixels[k], exact.pixels[k]);
-          ++same;
-          ++colors[image.pixels[k]];
-        }
-        for (const Fragment& fragment : newell.last().sorted().fragments)
-          if (fragment.piece >= 0)
-            forEachSpan(snapped, newell.last().sorted(), fragment, kWidth, kHeight,
-                        [&](int row, int from, int to) {
-                          for (int i = from; i < to; ++i) ofPieces += face[row * kWidth + i] == fragment.face;
-                        });
-      }
-  }
-  if (!seeds.all()) return;
-  EXPECT_GT(ofPieces, 5'000);
-  EXPECT_GT(same, 100'000);
-  EXPECT_GT(std::ranges::count_if(colors, [](int n) { return n > 0; }), 100);
-}
-
 /// ---- Their scale
 
 glm::dvec3 scaled(glm::dvec3 v, int k) {
@@ -214,11 +163,10 @@ long agreeing(const Picture& picture) {
   const SnappedScene& snapped = complete.snapped();
   const std::vector<int> seen = visibleFaces(snapped, kWidth, kHeight);
   const std::vector<int> shown = painted(snapped, picture.sorted(), kWidth, kHeight);
-  for (int k = 0; k < kWidth * kHeight; ++k) {
-    if (shown[k] == seen[k]) continue;
-    EXPECT_NE(shown[k], kNothing);
-    EXPECT_TRUE(shown[k] == kNothing || mayTouch(snapped, shown[k], seen[k], k, kWidth)) << "sample " << k;
-  }
+  for (int k = 0; k < kWidth * kHeight; ++k)
+    EXPECT_TRUE(shown[k] == seen[k] ||
+                (shown[k] != kNothing && mayTouch(snapped, shown[k], seen[k], k, kWidth)))
+        << "sample " << k;
   return kWidth * kHeight - std::ranges::count(seen, kNothing);
 }
 

@@ -2,12 +2,14 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <tuple>
 
 #include "geometry/files/parse_error.h"
 #include "geometry/model/solids.h"
 #include "shading/color/png.h"
 #include "shading/scene/json_text.h"
 #include "shading/scene/scene_file.h"
+#include "tests/support/reader_fixture.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/temporary_folder.h"
 
@@ -38,38 +40,30 @@ TEST(SceneFile, ObjectByObject) {
   EXPECT_EQ(s.mesh.materials[s.mesh.material[130]].diffuse, glm::dvec3(0.5, 0.25, 1));
 }
 
-/// Of the first face, in the file's units.
-double roundingIn(const std::string& text) {
-  const Scene s = parsed(text);
-  return std::ldexp(s.mesh.roundingOf(0), s.exponent);
+/// Of a face, in the file's units.
+double roundingIn(const std::string& objects, int face = 0, const std::string& more = "") {
+  const Scene s = parsed("{" + more + R"("objects": [)" + objects + "]}");
+  return std::ldexp(s.mesh.roundingOf(face), s.exponent);
 }
+const std::string kTwoDecimals = R"("polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]])";
 
 // The rounding of inline polygons is half a unit of the last decimal in their text. No other text matters.
-TEST(SceneFile, RoundingFromTheTextOfPolygons) {
-  EXPECT_EQ(roundingIn(withObject(R"({"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]]})")),
-            0.5 / 10 / 10);
-  EXPECT_EQ(
-      roundingIn(withObject(
-          R"({"polygons": [[[0.250, 0, 0], [15000, 0, 0], [0, 10000, 0]]], "color": [0.12345, 0, 0]})")),
-      0.5 / 10 / 10 / 10);
-  EXPECT_EQ(roundingIn(withObject(R"({"solid": "cube", "move": [0.12345, 0, 0]})")), 0);
-  // A choice of the same name does not count.
-  EXPECT_EQ(roundingIn(R"({"shading": {"polygons": "rows", "light": [0.12345, 0, 1]}, "objects": [
-    {"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]]}]})"),
-            0.5 / 10 / 10);
-}
-
 // Every object keeps the rounding of its own coordinates, scaled with it. A solid's coordinates are exact.
 TEST(SceneFile, RoundingByObject) {
-  const std::string polygons = R"("polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]])";
-  const Scene s = parsed(R"({"objects": [{"solid": "cube"}, {)" + polygons + R"(, "scale": 4}, {)" +
-                         polygons + R"(, "name": "last"}, {"solid": "cube"}]})");
-  const auto rounding = [&](int f) { return std::ldexp(s.mesh.roundingOf(f), s.exponent); };
-  ASSERT_EQ(s.mesh.faceCount(), 14);
-  EXPECT_EQ(rounding(5), 0);
-  EXPECT_EQ(rounding(6), 4 * (0.5 / 10 / 10));
-  EXPECT_EQ(rounding(7), 0.5 / 10 / 10);
-  EXPECT_EQ(rounding(8), 0);
+  constexpr double kHalf = 0.5 / 10 / 10;
+  EXPECT_EQ(roundingIn("{" + kTwoDecimals + "}"), kHalf);
+  EXPECT_EQ(roundingIn(
+                R"({"polygons": [[[0.250, 0, 0], [15000, 0, 0], [0, 10000, 0]]], "color": [0.12345, 0, 0]})"),
+            kHalf / 10);
+  EXPECT_EQ(roundingIn(R"({"solid": "cube", "move": [0.12345, 0, 0]})"), 0);
+  // A choice of the same name does not count.
+  EXPECT_EQ(roundingIn("{" + kTwoDecimals + "}", 0,
+                       R"("shading": {"polygons": "rows", "light": [0.12345, 0, 1]}, )"),
+            kHalf);
+  const std::string four = R"({"solid": "cube"}, {)" + kTwoDecimals + R"(, "scale": 4}, {)" + kTwoDecimals +
+                           R"(, "name": "last"}, {"solid": "cube"})";
+  for (const auto& [face, rounding] : {std::pair{5, 0.0}, {6, 4 * kHalf}, {7, kHalf}, {8, 0.0}})
+    EXPECT_EQ(roundingIn(four, face), rounding) << face;
 }
 
 // An object is scaled, then turned about x, y and z in this order, then moved. Quarter turns are exact.
@@ -213,21 +207,16 @@ TEST(SceneFile, TexturesOfMaterials) {
   EXPECT_EQ(s.mesh.materials[s.mesh.material[6]].texture, 0);
   EXPECT_EQ(s.mesh.materials[s.mesh.material[12]].texture, 0);
   EXPECT_THROW((void)read(kTriangle.substr(0, kTriangle.size() - 1) + R"(, "material": "a"})"), ParseError);
-  try {
-    (void)read(R"({"solid": "cube", "material": "gone"})");
-    ADD_FAILURE() << "a texture that is not there";
-  } catch (const std::system_error& e) {
-    EXPECT_EQ(std::string{e.what()}, "s.json: materials.gone.texture: 'no.png': No such file or directory");
-  }
+  EXPECT_EQ(complaint([&] { return read(R"({"solid": "cube", "material": "gone"})"); }),
+            "s.json: materials.gone.texture: 'no.png': No such file or directory");
 }
 
 // A turn combines the roundings of three axes, and adds the rounding of doubles.
 TEST(SceneFile, RoundingOfTurnedObjects) {
-  EXPECT_NEAR(
-      roundingIn(withObject(
-          R"({"polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]], "scale": [1, 2, 4], "rotate": [1, 2, 3]})")),
-      4 * std::sqrt(3.0) * 0.005, 1e-10);  // doubles at 15,000 are rounded, too
-  const double ofDoubles = roundingIn(withObject(R"({"solid": "cube", "rotate": [1, 2, 3]})"));
+  // Doubles at 15,000 are rounded, too.
+  EXPECT_NEAR(roundingIn("{" + kTwoDecimals + R"(, "scale": [1, 2, 4], "rotate": [1, 2, 3]})"),
+              4 * std::sqrt(3.0) * 0.005, 1e-10);
+  const double ofDoubles = roundingIn(R"({"solid": "cube", "rotate": [1, 2, 3]})");
   EXPECT_GT(ofDoubles, 0x1p-52);
   EXPECT_LT(ofDoubles, 0x1p-48);
 }
@@ -300,9 +289,7 @@ TEST(SceneFile, Lights) {
   EXPECT_EQ(s.light.unit, 0.5);
   ASSERT_EQ(s.light.lights.size(), 4u);
   const std::vector<Light>& l = s.light.lights;
-  EXPECT_EQ(l[0].kind, LightKind::Directional);
-  EXPECT_EQ(l[0].Ip, glm::dvec3{0.25});
-  EXPECT_EQ(l[0].direction, glm::dvec3(0, 0, 5));
+  EXPECT_EQ(l[0], (Light{.Ip = glm::dvec3{0.25}, .direction = {0, 0, 5}}));
   EXPECT_EQ(l[1].kind, LightKind::Point);
   EXPECT_EQ(l[1].Ip, glm::dvec3(0.1, 0, 0.2));
   EXPECT_EQ(l[1].position, glm::dvec3(0.5, 1, 1.5));
@@ -310,9 +297,7 @@ TEST(SceneFile, Lights) {
   EXPECT_EQ(l[1].range, 4);
   EXPECT_EQ(l[2].kind, LightKind::Spot);
   EXPECT_EQ(l[2].direction, glm::dvec3(0, 1, -1));
-  EXPECT_EQ(l[2].inner, 5);
-  EXPECT_EQ(l[2].outer, 30);
-  EXPECT_EQ(l[2].falloff, 3);
+  EXPECT_EQ(std::tuple(l[2].inner, l[2].outer, l[2].falloff), std::tuple(5, 30, 3));
   EXPECT_EQ(l[2].c, glm::dvec3(1, 4, 16));  // so that c2 d and c3 d^2 stay the same
   EXPECT_EQ(l[3].direction, glm::dvec3(0.5, 0, -2));
   EXPECT_EQ(l[3].attenuation, Attenuation::InverseSquare);
@@ -360,7 +345,7 @@ TEST(SceneFile, IntensitiesSumToOne) {
             "s.json: shading.Ia: Ia + the sum of Ip is 1.1 in red; it must not exceed 1");
 }
 
-// A scene can ask for every choice by the name that the command line uses.
+// A scene that chooses nothing has the defaults. Ia and Ip push each other.
 TEST(SceneFile, Choices) {
   const auto asked = [](const std::string& shading) {
     return parsed(withTriangle(R"("up": "z", "shading": )" + shading)).settings;
@@ -368,106 +353,26 @@ TEST(SceneFile, Choices) {
   PictureSettings none;
   none.light.light = defaultLight(UpAxis::Z);
   EXPECT_EQ(asked("{}"), none);
-  const auto quoted = [](std::string_view name) { return "\"" + std::string{name} + "\"}"; };
-  for (const auto& row : kShadings) EXPECT_EQ(asked(R"({"method": )" + quoted(row.name)).shading, row.id);
-  for (const auto& row : kNormalRules) EXPECT_EQ(asked(R"({"normals": )" + quoted(row.name)).normals, row.id);
-  for (const auto& row : kPolygons) EXPECT_EQ(asked(R"({"polygons": )" + quoted(row.name)).polygons, row.id);
-  for (const auto& row : kForms) EXPECT_EQ(asked(R"({"form": )" + quoted(row.name)).light.form, row.id);
-  for (const auto& row : kEnvironmentForms)
-    EXPECT_EQ(asked(R"({"environment": )" + quoted(row.name)).environment, row.id);
-  for (const auto& row : kTextureMappings)
-    EXPECT_EQ(asked(R"({"mapping": )" + quoted(row.name)).mapping, row.id);
-  for (const auto& row : kOrders) EXPECT_EQ(asked(R"({"order": )" + quoted(row.name)).order, row.id);
-  for (const auto& row : kColorPlans) EXPECT_EQ(asked(R"({"colors": )" + quoted(row.name)).colors, row.id);
-  for (const auto& row : kTables)
-    EXPECT_EQ(asked(R"({"table": {"kind": )" + quoted(row.name) + "}").table.kind, row.id);
-  for (const auto& row : kPicks)
-    EXPECT_EQ(asked(R"({"table": {"pick": )" + quoted(row.name) + "}").table.pick, row.id);
-
-  const PictureSettings s =
-      asked(R"({"crease": 30, "dither": true, "Ia": 0.1, "Ip": 0.8, "ka": 0.3, "kd": 0.4,
-    "ks": 0.5, "n": 7, "light": [1, 2, 3], "table": {"shades": 64, "i0": 0.05, "hue": [0.5, 1, 0], "bits": 8}})");
-  PictureSettings expected;
-  expected.crease = 30;
-  expected.dither = true;
-  expected.light = {.Ia = 0.1, .Ip = 0.8, .ka = 0.3, .kd = 0.4, .ks = 0.5, .n = 7, .light = {1, 2, 3}};
-  expected.table.shades = 64;
-  expected.table.I0 = 0.05;
-  expected.table.hue = {0.5, 1, 0};
-  expected.table.bits = 8;
-  EXPECT_EQ(s, expected);
-  EXPECT_EQ(asked(R"({"Ia": 0.9})").light.Ip, 0.1);  // Ia and Ip push each other
+  EXPECT_EQ(asked(R"({"Ia": 0.9})").light.Ip, 0.1);
   EXPECT_EQ(asked(R"({"Ip": 1})").light.Ia, 0);
 }
 
-// Cameras of each kind are read.
-TEST(SceneFile, Cameras) {
-  const auto camera = [](const std::string& text) {
-    return parsed(R"({"camera": )" + text + R"(, "objects": [)" + kTriangle + "]}").camera;
-  };
-  const CameraSettings look =
-      camera(R"({"eye": [1, 2, 3], "look_at": [0, 0, 1], "up": [0, 1, 0], "fov": 40})");
-  EXPECT_EQ(look.eye, glm::dvec3(1, 2, 3));
-  EXPECT_EQ(look.lookAt, glm::dvec3(0, 0, 1));
-  EXPECT_EQ(look.fov, 40);
-  const CameraSettings oblique = camera(R"({"parallel": 5, "oblique": {"kind": "cabinet", "angle": 30}})");
-  EXPECT_TRUE(oblique.parallel);
-  EXPECT_EQ(oblique.height, 5);
-  EXPECT_EQ(oblique.oblique, (Oblique{0.5, 30}));
-  const CameraSettings book = camera(
-      R"({"vrp": [0,0,0], "vpn": [0,0,1], "vup": [0,1,0], "prp": [0,0,9], "window": [-1,1,-2,2], "front": 1, "back": -9})");
-  EXPECT_EQ(book.window, glm::dvec4(-1, 1, -2, 2));
-  EXPECT_EQ(book.back, -9);
-}
-
-// The user's settings replace those of the scene's camera, each by itself.
-TEST(SceneFile, SaidCamerasComeFirst) {
-  CameraSettings scene, said;
-  scene.eye = glm::dvec3{1, 2, 3};
-  scene.lookAt = glm::dvec3{0};
-  scene.fov = 50;
-  EXPECT_EQ(completed(said, scene), scene);
-  said.parallel = true;
-  said.height = 2;
-  EXPECT_EQ(completed(said, scene).eye, scene.eye);
-  EXPECT_TRUE(completed(said, scene).parallel);
-  EXPECT_FALSE(completed(said, scene).fov);
-  said.eye = glm::dvec3{7, 7, 7};
-  EXPECT_EQ(completed(said, scene).eye, said.eye);
-  EXPECT_EQ(completed(said, scene).lookAt, scene.lookAt);
-}
-
-// What the file says beside its eye counts: the planes and the window are those of the file. Nothing is lost
-// if the user gives one of them, too.
+// The planes and the window that a file says beside its eye are those of the view.
 TEST(SceneFile, PlanesAndWindowBesideAnEyeCount) {
   const Scene scene = parsed(R"({"camera": {"eye": [1, 2, 5], "look_at": [0, 0, 0], "window": [-2, 2, -1, 1],
                                             "front": 0.5, "back": -3}, "objects": [)" +
                              kTriangle + "]}");
-  EXPECT_EQ(completed({}, scene.camera), scene.camera);
-  CameraSettings said = completed({}, scene.camera);
-  const auto placed = [&](const CameraSettings& camera) {
-    return placeCamera(camera, scene.mesh.points, scene.up, 2.0);
-  };
-  const ViewSpec view = placed(said).view;
+  const ViewSpec view = placeCamera(completed({}, scene.camera), scene.mesh.points, scene.up, 2.0).view;
   EXPECT_EQ(view.windowMin, glm::dvec2(-2, -1));
   EXPECT_EQ(view.windowMax, glm::dvec2(2, 1));
   EXPECT_EQ(view.front, 0.5);
   EXPECT_EQ(view.back, -3);
-  for (const auto part : {&CameraSettings::front, &CameraSettings::back}) {
-    CameraSettings user;
-    user.*part = part == &CameraSettings::front ? 0.75 : -7.0;
-    CameraSettings expected = scene.camera;
-    expected.*part = user.*part;
-    EXPECT_EQ(completed(user, scene.camera), expected);
-    EXPECT_EQ(placed(completed(user, scene.camera)).eye, glm::dvec3(1, 2, 5));
-  }
-  CameraSettings user, expected = scene.camera;
-  user.window = expected.window = glm::dvec4{-1, 1, -1, 1};
-  EXPECT_EQ(completed(user, scene.camera), expected);
 }
 
-// A part has two names in the two notations. Given by one name, it takes the place of the other.
-TEST(SceneFile, OnePartOfACameraHasTwoNames) {
+// The user's settings replace those of the scene's camera, each by itself. But a part has two names in the
+// two notations. Given by one name, it takes the place of the other, as a parallel view takes that of an
+// angle.
+TEST(SceneFile, SaidCamerasComeFirst) {
   using Point = std::optional<glm::dvec3> CameraSettings::*;
   const glm::dvec3 p{1, 2, 3}, q{3, 2, 9};
   CameraSettings eye, book;
@@ -483,6 +388,15 @@ TEST(SceneFile, OnePartOfACameraHasTwoNames) {
     ((expected.*gone).reset(), ...);
     EXPECT_EQ(completed(user, scene), expected);
   };
+  for (const CameraSettings& scene : {eye, book}) {
+    EXPECT_EQ(completed({}, scene), scene);
+    expectInPlaceOf(scene, 0.75, &CameraSettings::front);
+    expectInPlaceOf(scene, -7.0, &CameraSettings::back);
+  }
+  for (const Point member : {&CameraSettings::eye, &CameraSettings::lookAt, &CameraSettings::up})
+    expectInPlaceOf(eye, q, member);
+  expectInPlaceOf(book, glm::dvec4{-2, 1, -1, 1}, &CameraSettings::window);
+  expectInPlaceOf(eye, true, &CameraSettings::parallel, &CameraSettings::fov);
   for (const Point member : {&CameraSettings::vpn, &CameraSettings::prp})
     expectInPlaceOf(eye, q, member, &CameraSettings::eye);
   expectInPlaceOf(eye, q, &CameraSettings::vrp, &CameraSettings::lookAt);
@@ -504,8 +418,7 @@ TEST(SceneFile, BuiltInScenes) {
     EXPECT_GT(s.shows.size(), 10u);
     EXPECT_GT(readScene(s.name).parts.count(), 1);
   }
-  EXPECT_FALSE(isBuiltIn("../scenes/room"));
-  EXPECT_FALSE(isBuiltIn("room.json"));
+  EXPECT_FALSE(isBuiltIn("../scenes/room") || isBuiltIn("room.json"));
 }
 
 /// ---- JSON
