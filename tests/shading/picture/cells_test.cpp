@@ -116,20 +116,14 @@ TEST(CellRule, IsOneForEveryFiller) {
 
 /// ---- The use of cells
 
-struct Made {
-  Picture picture;
-  IndexImage image;
-};
-
-Made made(const char* scene, ColorPlan plan = ColorPlan::Needed, Shading shading = Shading::Gouraud) {
+Picture made(const char* scene, ColorPlan plan) {
   Scene read = readScene(scene, 4);
   PictureSettings s;
   s.width = 200, s.height = 150;
-  s.shading = shading;
+  s.shading = Shading::Gouraud;
   s.colors = plan;
   s.camera = completed({}, read.camera);
-  const Picture picture = makePicture(std::move(read), s, CellPlan{}[Cell::Well]);
-  return {picture, picture.image()};
+  return makePicture(std::move(read), s, CellPlan{}[Cell::Well]);
 }
 
 // The counts of samples and polygons are those of a count over all pixels, cell by cell, and the samples add
@@ -143,15 +137,16 @@ TEST(CellUse, EqualsBruteForce) {
                                     {"hues", ColorPlan::Cube},
                                     {"hues", ColorPlan::Chosen}}) {
     SCOPED_TRACE(scene);
-    const Made m = made(scene, plan);
-    const std::vector<std::uint32_t> faces = m.picture.faceImage();
-    const CellUse use = cellUse(m.image, faces);
+    const Picture picture = made(scene, plan);
+    const IndexImage& image = picture.image();
+    const std::vector<std::uint32_t> faces = picture.faceImage();
+    const CellUse use = cellUse(image, faces);
     for (int cell = 0; cell < 256; ++cell) {
       int samples = 0;
       std::set<std::uint32_t> shown;
       for (std::size_t k = 0; k < faces.size(); ++k) {
-        samples += m.image.pixels[k] == cell;
-        if (m.image.pixels[k] == cell && faces[k] != 0) shown.insert(faces[k]);
+        samples += image.pixels[k] == cell;
+        if (image.pixels[k] == cell && faces[k] != 0) shown.insert(faces[k]);
       }
       ASSERT_EQ(use.samples[cell], samples) << cell;
       ASSERT_EQ(use.polygons[cell], static_cast<int>(shown.size())) << cell;
@@ -159,7 +154,7 @@ TEST(CellUse, EqualsBruteForce) {
       shared += shown.size() > 1;
     }
     EXPECT_EQ(std::accumulate(use.samples.begin(), use.samples.end(), 0), 200 * 150);
-    EXPECT_EQ(cellUse(m.image).samples, use.samples);
+    EXPECT_EQ(cellUse(image).samples, use.samples);
   }
   EXPECT_GT(cells, 500);
   EXPECT_GT(shared, 200);
@@ -169,12 +164,12 @@ TEST(CellUse, EqualsBruteForce) {
 // cells.
 TEST(CellUse, SceneCellsAreThoseOfItsSurfaces) {
   for (const ColorPlan plan : {ColorPlan::OneHue, ColorPlan::Hues, ColorPlan::Cube, ColorPlan::Chosen}) {
-    const Made m = made("hues", plan);
-    const CellRange scene = sceneCells(m.picture);
-    const std::vector<std::uint32_t> faces = m.picture.faceImage();
-    for (std::size_t k = 0; k < faces.size(); ++k)
-      ASSERT_EQ(scene.has(m.image.pixels[k]), faces[k] != 0) << k;
-    const std::vector<CellRange> ramps = rampsOf(m.picture);
+    const Picture picture = made("hues", plan);
+    const IndexImage& image = picture.image();
+    const CellRange scene = sceneCells(picture);
+    const std::vector<std::uint32_t> faces = picture.faceImage();
+    for (std::size_t k = 0; k < faces.size(); ++k) ASSERT_EQ(scene.has(image.pixels[k]), faces[k] != 0) << k;
+    const std::vector<CellRange> ramps = rampsOf(picture);
     const bool colors = plan == ColorPlan::Cube || plan == ColorPlan::Chosen;
     EXPECT_EQ(ramps.size(), colors ? 0u : plan == ColorPlan::Hues ? 7u : 1u);
     int next = scene.first;
@@ -182,7 +177,7 @@ TEST(CellUse, SceneCellsAreThoseOfItsSurfaces) {
     if (!colors) {
       EXPECT_EQ(next, scene.last() + 1);
     }
-    EXPECT_GT(usedCells(cellUse(m.image), scene), 20);
+    EXPECT_GT(usedCells(cellUse(image), scene), 20);
   }
 }
 
@@ -210,18 +205,6 @@ TEST(CellUse, MedianHasHalfOnEitherSide) {
 /// ---- The cells of a picture
 
 // Which cells the samples of a picture take, and how many samples are clamped.
-
-// Clamped evaluations are counted: none with room to spare, some when kd and ks add up to more than 1.
-TEST(Picture, CountsClampedEvaluations) {
-  PictureCache pictures{readScene("teapot")};
-  PictureSettings s = small();
-  s.light.ks = 0;
-  pictures.make(s);
-  EXPECT_EQ(pictures.last().saturated(), 0);
-  s.light = {.Ia = 0, .Ip = 1, .kd = 1, .ks = 1, .n = 3};
-  pictures.make(s);
-  EXPECT_GT(pictures.last().saturated(), 100);
-}
 
 // Environment mapping counts its clamped samples where a triangle may meet the places of the map that were
 // clamped: as many as there are. The samples are those of the upper of two shades for intensities just below
@@ -256,23 +239,6 @@ TEST(Picture, EnvironmentCountsEveryClampedSample) {
         }
   EXPECT_GT(some, 30);
   EXPECT_GT(none, 5);
-}
-
-// At full intensity nothing is shaded, and a light changed meanwhile is not forgotten.
-TEST(Picture, FullIntensityShadesNothing) {
-  PictureCache pictures{readScene("teapot", 3)};
-  PictureSettings s = small();
-  painted(pictures, s);
-  s.shading = Shading::Full;
-  s.light.kd = 0.2;
-  painted(pictures, s);
-  s.shading = Shading::Flat;
-  PictureCache fresh{readScene("teapot", 3)};
-  EXPECT_EQ(painted(pictures, s), painted(fresh, s));
-  PictureCache full{readScene("teapot", 3)};
-  s.shading = Shading::Full;
-  painted(full, s);
-  EXPECT_TRUE(full.last().shading().intensities(0).I.empty());
 }
 
 // No lights, materials, normals or methods make a cell that is not on the ramp: no NaN, no infinity, nothing
@@ -331,28 +297,6 @@ TEST(Picture, EveryCellIsOnTheRamp) {
   EXPECT_GT(shown, 1'000'000);
 }
 
-// Depth: the nearest face has the brightest shade, the farthest the darkest, and what lies half way between
-// the middle one: the picture uses the whole range.
-TEST(Picture, DepthUsesTheWholeRange) {
-  Mesh m;
-  for (const double z : {0.0, 1.0, 4.0}) {
-    const int first = static_cast<int>(m.points.size());
-    for (const double x : {-0.5, 0.5}) m.points.insert(m.points.end(), {{x + z, -0.5, z}, {x + z, 0.5, z}});
-    const int corners[] = {first, first + 2, first + 3, first + 1};
-    m.addFace(corners, 0);
-  }
-  PictureCache pictures{makeScene("steps", m, UpAxis::Y)};
-  PictureSettings s = small();
-  s.shading = Shading::Depth;
-  s.camera.eye = glm::dvec3{0.25, 0, 8};
-  s.camera.lookAt = glm::dvec3{0.25, 0, 0};
-  s.table.shades = 5;
-  painted(pictures, s);
-  const int first = pictures.last().table().first();
-  EXPECT_EQ(pictures.last().cells(), (std::vector<std::uint8_t>{std::uint8_t(first), std::uint8_t(first + 1),
-                                                                std::uint8_t(first + 4)}));
-}
-
 // Hues share the table's shades where nothing is lit, too; more hues than there are pairs of shades are
 // refused.
 TEST(Picture, HuesWithoutLightAndTooManyOfThem) {
@@ -362,6 +306,9 @@ TEST(Picture, HuesWithoutLightAndTooManyOfThem) {
   for (const Shading shading : {Shading::Full, Shading::Depth, Shading::Flat}) {
     s.shading = shading;
     const IndexImage image = painted(hues, s);
+    if (shading == Shading::Full) {
+      EXPECT_TRUE(hues.last().shading().intensities(0).I.empty());
+    }
     EXPECT_EQ(hues.last().colors().plan(), ColorPlan::Hues);
     EXPECT_GT(hues.last().colors().tables().size(), 5u);
     EXPECT_GE(std::set(image.pixels.begin(), image.pixels.end()).size(),

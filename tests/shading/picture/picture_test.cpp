@@ -15,6 +15,7 @@
 #include "shading/laboratory/errors.h"
 #include "shading/picture/picture.h"
 #include "shading/picture/picture_cache.h"
+#include "shading/scene/scene_file.h"
 #include "shading/scene/units.h"
 #include "tests/support/small_picture.h"
 #include "tests/support/triangle_soup.h"
@@ -25,48 +26,17 @@ namespace {
 
 /// ---- How often samples are painted, and where the order is wrong
 
-// A closed surface has neither gap nor overlap: with its back faces kept, a sphere paints each sample
-// twice or not at all, a torus an even number of times.
-TEST(Picture, ClosedSurfacesPaintInPairs) {
-  int twice = 0, four = 0;
-  for (unsigned seed = 0; seed < 40; ++seed) {
-    SCOPED_TRACE(seed);
-    PictureCache pictures{makeScene("solid", seed % 2 ? sphere(23, 11) : torus(29, 13), UpAxis::Z)};
-    PictureSettings s = small();
-    s.camera.parallel = seed % 3 == 0;
-    pictures.make(s);
-    s.camera = moved(s.camera, pictures.last().camera(), pictures.last().scene(), 17.0 * seed,
-                     7.0 * seed - 100, 1.3);
-    pictures.make(s);
-    for (const int n : timesPainted(pictures.last().snapped(), s.width, s.height)) {
-      ASSERT_EQ(n % 2, 0);
-      if (seed % 2) {
-        ASSERT_LE(n, 2);
-      }
-      twice += n == 2;
-      four += n == 4;
-    }
-  }
-  EXPECT_GT(twice, 100'000);
-  EXPECT_GT(four, 10'000);
-}
-
 // The face image names the face that is seen: number + 1, 0 where nothing is; pieces of a divided face
 // carry its number.
 TEST(Picture, FaceImageNamesFaces) {
-  Mesh m;
-  m.points = {{-1, -1, 0},    {1, -1, 0}, {1, 1, 0},     {-1, 1, 0},    {-0.5, -0.5, 1},
-              {0.5, -0.5, 1}, {0, 0, 1},  {0.5, 0.5, 1}, {-0.5, 0.5, 1}};
-  const int floor[] = {0, 1, 2, 3}, concave[] = {4, 5, 6, 7, 8};
-  m.addFace(floor, 0);
-  m.addFace(concave, 0);
-  PictureCache pictures{makeScene("two", m, UpAxis::Y)};
+  PictureCache pictures{parseSceneFile(
+      R"({"objects": [{"polygons": [[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]],
+            [[-0.5, -0.5, 1], [0.5, -0.5, 1], [0, 0, 1], [0.5, 0.5, 1], [-0.5, 0.5, 1]]]}],
+          "camera": {"eye": [0, 0, 3], "look_at": [0, 0, 0], "parallel": 2.4}})",
+      "two", ".")};
   EXPECT_GT(pictures.scene().parts.count(), 2);
   PictureSettings s = small();
-  s.camera.parallel = true;
-  s.camera.eye = glm::dvec3{0, 0, 3};
-  s.camera.lookAt = glm::dvec3{0};
-  s.camera.height = 2.4;
+  s.camera = pictures.scene().camera;
   pictures.make(s);
   const std::vector<std::uint32_t> ids = pictures.last().faceImage();
   const auto at = [&](double x, double y) {  // of the file's coordinates
