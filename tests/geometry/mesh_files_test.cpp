@@ -268,21 +268,6 @@ std::string toText(const std::vector<BezierPatch>& patches) {
   return text;
 }
 
-/// One patch whose point i is (i, 0, -i). The text has 18 lines, with the points on lines 3 to 18.
-std::string onePatch() {
-  std::string text = "1\n3 3\n";
-  for (int i = 0; i < 16; ++i) text += std::to_string(i) + " 0 -" + std::to_string(i) + "\n";
-  return text;
-}
-
-/// onePatch() with line `number` replaced.
-std::string withLine(int number, const std::string& line) {
-  std::string text = onePatch();
-  std::size_t begin = 0;
-  for (int i = 1; i < number; ++i) begin = text.find('\n', begin) + 1;
-  return text.replace(begin, text.find('\n', begin) - begin, line);
-}
-
 std::string complaintOf(const std::string& text) {
   return complaint([&] { return parseBpt(text, "teapot.bpt"); });
 }
@@ -310,38 +295,6 @@ TEST(Bpt, RefusesNumbersOfPatchesItCannotTrust) {
   }
   EXPECT_EQ(complaintOf("1000000\n"), "teapot.bpt:1: the file ends before patch 1 of 1000000");
   EXPECT_EQ(complaintOf("1 2\n"), "teapot.bpt:1: unexpected '2'");
-}
-
-// An incomplete patch is reported by its number, at the last line of the file.
-TEST(Bpt, NamesThePatchThatIsIncomplete) {
-  std::mt19937 rng{24};
-  const std::string whole = toText(randomPatches(32, rng));
-  const auto lines = [&](int count) {
-    std::size_t end = 0;
-    for (int i = 0; i < count; ++i) end = whole.find('\n', end) + 1;
-    return whole.substr(0, end);
-  };
-  EXPECT_EQ(complaintOf(lines(1 + 23 * 17 + 10)), "teapot.bpt:402: the file ends inside patch 24 of 32");
-  EXPECT_EQ(complaintOf(lines(1 + 23 * 17)), "teapot.bpt:392: the file ends before patch 24 of 32");
-  EXPECT_EQ(complaintOf(lines(1 + 32 * 17)), "");
-}
-
-TEST(Bpt, RefusesWhatIsNotACubicPatch) {
-  EXPECT_EQ(complaintOf(withLine(2, "3 2")),
-            "teapot.bpt:2: degrees '3' and '2'; a patch here is bicubic, 3 3");
-  EXPECT_EQ(complaintOf(withLine(2, "2 3")),
-            "teapot.bpt:2: degrees '2' and '3'; a patch here is bicubic, 3 3");
-  EXPECT_EQ(complaintOf(withLine(2, "3")), "teapot.bpt:2: degrees '3' and ''; a patch here is bicubic, 3 3");
-  EXPECT_EQ(complaintOf(withLine(2, "3 3 3")), "teapot.bpt:2: unexpected '3'");
-}
-
-TEST(Bpt, RefusesMalformedPointsAndRubbish) {
-  EXPECT_EQ(complaintOf(withLine(7, "1 2")), "teapot.bpt:7: a control point needs three coordinates");
-  EXPECT_EQ(complaintOf(withLine(7, "1")), "teapot.bpt:7: a control point needs three coordinates");
-  EXPECT_EQ(complaintOf(withLine(7, "1 2 3 4")), "teapot.bpt:7: unexpected '4'");
-  EXPECT_EQ(complaintOf(withLine(18, "1 2 z")), "teapot.bpt:18: malformed number 'z'");
-  EXPECT_EQ(complaintOf(onePatch() + "\n# more\n3 3\n"),
-            "teapot.bpt:21: unexpected '3' after the last patch");
 }
 
 // A file cut off at any byte is an error, unless the cut only shortens the last number.

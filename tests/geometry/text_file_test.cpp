@@ -115,16 +115,6 @@ TEST(ToNumber, RefusesOverflow) {
   }
 }
 
-TEST(ToNumber, RefusesWhatIsNoFiniteNumber) {
-  for (const std::string word : {"nan", "-nan", "inf", "-inf", "+inf", "INFINITY", "nan(0)", "-nan(ind)"}) {
-    EXPECT_EQ(complaint([&] { return numberIn(word); }), "n.obj:1: number '" + word + "' is not finite");
-  }
-  for (const std::string word : {"x", "1x", "+-1", "-+1", "++1", "--1", "+", "-", ".", "e3", "1e", "1e+",
-                                 "0x10", "1,5", "1.2.3", "1.#INF", "1e400x", "1d3"}) {
-    EXPECT_EQ(complaint([&] { return numberIn(word); }), "n.obj:1: malformed number '" + word + "'");
-  }
-}
-
 // Decimals are counted in the text, trailing zeros included. The exponent moves the decimal point.
 TEST(Decimals, AreThoseOfTheText) {
   for (const auto& [text, count] : {std::pair{"-1.250", 3},
@@ -314,15 +304,6 @@ TEST(ReadTextFile, ReadsRegularFilesOnly) {
     EXPECT_EQ(complaint([&] { return readTextFile(file); }), file + ": not a regular file");
 }
 
-// UTF-16 has a name instead of words that no reader knows.
-TEST(ReadTextFile, NamesUtf16) {
-  const TemporaryFolder folder;
-  for (const std::string_view begin : {"\xFF\xFEv", "\xFE\xFF"}) {
-    const std::string file = folder.write("a.obj", std::string{begin} + '\0');
-    EXPECT_EQ(complaint([&] { return readTextFile(file); }), file + ": a text in UTF-16; save it as UTF-8");
-  }
-}
-
 // A file that is too long is refused by its size. This one takes no room on the disk.
 TEST(ReadTextFile, RefusesFilesBeyond31Bits) {
   const TemporaryFolder folder;
@@ -356,15 +337,15 @@ std::string contents(const std::string& file) {
   return {std::istreambuf_iterator<char>{in}, {}};
 }
 
-/// The message and the errno of the failure. The test fails if there is no failure.
-std::pair<std::string, int> failure(const std::string& file, std::string_view bytes) {
+/// The errno of the failure. The test fails if there is no failure.
+int failure(const std::string& file, std::string_view bytes) {
   try {
     writeFile(file, bytes);
   } catch (const std::system_error& e) {
-    return {e.what(), e.code().value()};
+    return e.code().value();
   }
   ADD_FAILURE() << file << ": written";
-  return {};
+  return 0;
 }
 
 /// During its lifetime no file grows beyond `bytes`. To write() this looks like a full disk.
@@ -414,47 +395,12 @@ TEST(OutputFile, OfAFullDiskIsAsItWas) {
   writeFile(old, "before");
   {
     const SmallDisk disk{1000};
-    EXPECT_EQ(failure(old, std::string(5000, 'x')).second, EFBIG);
-    EXPECT_EQ(failure(fresh, std::string(5000, 'x')).second, EFBIG);
+    EXPECT_EQ(failure(old, std::string(5000, 'x')), EFBIG);
+    EXPECT_EQ(failure(fresh, std::string(5000, 'x')), EFBIG);
   }
   EXPECT_EQ(contents(old), "before");
   EXPECT_FALSE(std::filesystem::exists(fresh));
   EXPECT_EQ(folder.entries(), 1);
-}
-
-// The message has the file's name as the user gave it, and the reason in the system's words.
-TEST(OutputFile, FailureNamesFileAndReason) {
-  const TemporaryFolder folder;
-  const std::string nowhere = folder.file("no/such/folder");
-  EXPECT_EQ(failure(nowhere, "x").first, nowhere + ": No such file or directory");
-  EXPECT_EQ(failure("/dev/full", "x").first, "/dev/full: No space left on device");
-  std::filesystem::create_directory(folder.file("folder"));
-  EXPECT_EQ(failure(folder.file("folder"), "x").second, EISDIR);
-  EXPECT_EQ(folder.entries(), 1);
-}
-
-// A folder, or a file without write permission, is not written.
-TEST(OutputFile, RespectsPermissions) {
-  const TemporaryFolder folder;
-  const std::string place = folder.file("place"), file = place + "/kept";
-  std::filesystem::create_directory(place);
-  writeFile(file, "before");
-  std::filesystem::permissions(file, std::filesystem::perms{0444});
-  std::filesystem::permissions(folder.file("."), std::filesystem::perms{0755});
-  std::filesystem::permissions(place, std::filesystem::perms{0777});
-  // Root may write everywhere, so the test becomes another user for a while.
-  const uid_t user = ::geteuid(), nobody = 65534;
-  if (user == 0 && ::seteuid(nobody) != 0) GTEST_SKIP() << "root cannot be anybody else here";
-  const int readOnlyFile = failure(file, "x").second;
-  EXPECT_EQ(::seteuid(user), 0);
-  std::filesystem::permissions(place, std::filesystem::perms{0555});
-  EXPECT_EQ(::seteuid(user == 0 ? nobody : user), 0);
-  const int readOnlyFolder = failure(place + "/new", "x").second;
-  EXPECT_EQ(::seteuid(user), 0);
-  std::filesystem::permissions(place, std::filesystem::perms{0755});
-  EXPECT_EQ(readOnlyFile, EACCES);
-  EXPECT_EQ(readOnlyFolder, EACCES);
-  EXPECT_EQ(contents(file), "before");
 }
 
 // A symbolic link stays a link, and the file at its end changes. A link may also lead to a file that does not
@@ -471,7 +417,7 @@ TEST(OutputFile, MakesWhatALinkLeadsTo) {
   writeFile(folder.file("first"), "after");
   EXPECT_EQ(contents(folder.file("far/file")), "after");
   std::filesystem::create_symlink("round", folder.file("round"));
-  EXPECT_EQ(failure(folder.file("round"), "x").second, ELOOP);
+  EXPECT_EQ(failure(folder.file("round"), "x"), ELOOP);
   EXPECT_TRUE(std::filesystem::is_symlink(folder.file("round")));
 }
 
