@@ -439,13 +439,11 @@ struct ExactPlane {
     return (Big{A} * x + Big{B} * y + Big{D}) / Big{C};
   }
 };
-/// a x + b y + c is C_P C_Q (z_P - z_Q), or the edge from p to q.
+/// a x + b y + c is C_P C_Q (z_P - z_Q).
 struct WholeLine {
   Whole a, b, c;
   WholeLine(const ExactPlane& P, const ExactPlane& Q)
       : a{P.A * Q.C - Q.A * P.C}, b{P.B * Q.C - Q.B * P.C}, c{P.D * Q.C - Q.D * P.C} {}
-  WholeLine(const double* p, const double* q)
-      : a{q[1] - p[1]}, b{p[0] - q[0]}, c{-(a * Whole{p[0]} + b * Whole{p[1]})} {}
   [[nodiscard]] Whole at(const Whole& x, const Whole& y) const { return a * x + b * y + c; }
 };
 
@@ -531,14 +529,6 @@ Numbers runPlane(In in) {
   return {right ? std::max(most * 0x1p-61, std::abs(static_cast<double>(plane.D)) * 0x1p-93) : kWrong};
 }
 
-/// |N.p - d| and r of a point.
-struct OffPlane {
-  Big off, r;
-  OffPlane(const BigVec& N, const Big& d, const double* p, const Big& u) {
-    const Big e = big(0x1p-46) + big(0x1p-50);  // side and magnitude 1
-    off = abs(dot(N, bigVec(p)) - d), r = u * sumOf(absOf(N)) + e * lengthOf(N);
-  }
-};
 /// The h of a plane for a point. In an input: the normal, d beyond the point, the point, u. Prepared: a unit
 /// normal, d, point, u.
 Numbers preparedFit(In in) {
@@ -551,76 +541,10 @@ Numbers runFit(In in) {
   return {fitOf({glmOf(&in[0]), in[3]}, point, Rounding{1.0, 1.0}).h};
 }
 double judgeFit(In in, In out) {
-  const OffPlane exact{bigVec(&in[0]), big(in[3]), &in[4], big(in[7])};
-  return shareOf(out[0], exact.off / exact.r, (exact.off * 0x1p-50 + 0x1p-49) / exact.r);
-}
-
-/// The least h of four points. In an input: three points, then the shares of two edges and the height in r of
-/// the fourth, then u. Prepared: the points, u, and the plane of the first three.
-Numbers preparedLeastFit(In in) {
-  const glm::dvec3 a = glmOf(&in[0]), b = glmOf(&in[3]), c = glmOf(&in[6]), across = glm::cross(b - a, c - a);
-  if (!(glm::length(across) > 0x1p-8)) return {};
-  const glm::dvec3 N = unit(across);
-  const double r = in[12] * (std::abs(N.x) + std::abs(N.y) + std::abs(N.z)) + 0x1p-46;
-  const Numbers points = slice(in, 0, 9) + numbersOf(a + in[9] * (b - a) + in[10] * (c - a) + in[11] * r * N);
-  if (std::ranges::any_of(points, [](double x) { return !(x >= 0 && x <= 1); })) return {};
-  return points + Numbers{in[12]} + numbersOf(N) + Numbers{glm::dot(N, a)};
-}
-Numbers runLeastFit(In in) {
-  std::array<RoundedPoint, 4> points;
-  for (std::size_t k = 0; k < 4; ++k) points[k] = {glmOf(&in[3 * k]), in[12]};
-  const PlaneFit fit = fitPlane(points, {glmOf(&in[13]), in[16]}, Rounding{1.0, 1.0}, FitGoal::Best);
-  return numbersOf(fit.plane.N) + Numbers{fit.plane.d};
-}
-double judgeLeastFit(In in, In out) {
-  const auto heightOver = [&](const BigVec& N, const Big& d) {
-    Big worst = 0;
-    for (std::size_t k = 0; k < 12; k += 3) {
-      const OffPlane p{N, d, &in[k], big(in[12])};
-      worst = largerOf(worst, p.off / p.r);
-    }
-    return worst;
-  };
-  const Big h = heightOver(bigVec(out.data()), big(out[3]));
-  // Of all planes z = a x + b y + c over the found one, the best leaves the residuals s w h at the corners, s
-  // the signs of the weights with which the corners' places add up to 0. From it on again.
-  Big least = h;
-  const BigVec found = unitOf(bigVec(out.data())), origin = bigVec(in.data());
-  BigVec N = found;
-  for (int step = 0; step < 6; ++step) {
-    const BigVec size = absOf(N), axis = size.x <= size.y && size.x <= size.z ? BigVec{1, 0, 0}
-                                         : size.y <= size.z                   ? BigVec{0, 1, 0}
-                                                                              : BigVec{0, 0, 1};
-    const BigVec T = unitOf(cross(N, axis)), U = cross(N, T);
-    std::array<BigVec, 4> q;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const BigVec p = bigVec(&in[3 * k]) - origin;
-      q[k] = {dot(T, p), dot(U, p), dot(N, p)};
-    }
-    std::array<Big, 4> weight;
-    std::size_t widest = 0;
-    Big sum = 0, total = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const BigVec &a = q[(k + 1) % 4], &b = q[(k + 2) % 4], &c = q[(k + 3) % 4];
-      weight[k] = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) * (k % 2 ? -1 : 1);
-      sum += weight[k] * q[k].z, total += abs(weight[k]);
-      if (abs(weight[k]) > abs(weight[widest])) widest = k;
-    }
-    const Big all = sum / total;  // = s w h
-    std::array<BigVec, 3> on;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t of = (widest + 1 + k) % 4;
-      on[k] = q[of];
-      on[k].z -= weight[of] > 0 ? all : weight[of] < 0 ? -all : Big{0};
-    }
-    const BigVec M = unitOf(cross(on[1] - on[0], on[2] - on[0])), next = T * M.x + U * M.y + N * M.z;
-    if (lengthOf(next - found) <= 0x1p-10 || lengthOf(next + found) <= 0x1p-10)
-      least = smallerOf(least, heightOver(next, dot(M, on[0]) + dot(next, origin)));
-    N = next;
-  }
-  if (least > 4) return 0.0;
-  const Big r = OffPlane{N, Big{0}, &in[0], big(in[12])}.r;
-  return toDouble((h - least) / (least * 0x1p-9 + 0x1p-49 / r));
+  const BigVec N = bigVec(&in[0]);
+  const Big off = abs(dot(N, bigVec(&in[4])) - big(in[3])), e = big(0x1p-46) + big(0x1p-50);
+  const Big r = big(in[7]) * sumOf(absOf(N)) + e * lengthOf(N);  // side and magnitude 1
+  return shareOf(out[0], off / r, (off * 0x1p-50 + 0x1p-49) / r);
 }
 
 /// The doubt of a face whose record is the plane of a triangle on the grid. In the rest of an input: the
@@ -809,22 +733,10 @@ double judgeTouch(In in, In out) {
   return (out[0] != 0) == touches ? 0.1 / (1 + share) : share;
 }
 
-/// The scene of some triangles, one plane each.
-SnappedScene sceneOf(In in) {
-  SnappedScene scene;
-  for (int k = 0; 9 * static_cast<std::size_t>(k) < in.size(); ++k) {
-    const Triangle t = triangleAt(&in[9 * static_cast<std::size_t>(k)]);
-    scene.faces.push_back({.first = 3 * k, .count = 3, .number = k, .part = 0, .back = false, .plane = k});
-    scene.vertices.insert(scene.vertices.end(), t.begin(), t.end());
-    scene.planes.add(planeOf(t));
-  }
-  scene.source.resize(scene.vertices.size());
-  return scene;
-}
-
 /// a, b, c of a cut line. The larger of |a|, |b| is scaled to 1, so the exact line is scaled by its own.
 Numbers runCutLine(In in) {
-  const SnappedScene scene = sceneOf(in);
+  SnappedScene scene;
+  for (const std::size_t k : {0u, 9u}) scene.planes.add(planeOf(triangleAt(&in[k])));
   const Line line = Regions{scene}.cut(0, 1);
   return {line.a, line.b, line.c};
 }
@@ -837,57 +749,6 @@ double judgeCutLine(In in, In out) {
   }
   const BigVec exact = BigVec{Big{l.a}, Big{l.b}, Big{l.c}} * (1 / most);
   return shareOf(out.data(), exact, absOf(exact) * Big{6 * kU});
-}
-
-/// A face is cut by the meeting lines with two others. The corners must be within their radius of the exact
-/// ones, and a third line must have the exact sign at each. In an input: face, three others.
-Numbers runCut(In in) {
-  const SnappedScene scene = sceneOf(in);
-  const Regions regions{scene};
-  Region region;
-  regions.outline(scene.faces[0], region);
-  for (int k = 1; k <= 2 && !region.empty(); ++k)
-    if (!regions.samePlane(0, k)) regions.clip(region, regions.cut(0, k));
-  Numbers out;
-  if (regions.samePlane(0, 3)) return out;
-  const Line third = regions.cut(0, 3);
-  for (std::size_t k = 0; k < region.size(); ++k) {
-    const auto& [line, corner] = region[k];
-    const int sign = regions.sign(third, line, region[(k + 1) % region.size()].line, corner);
-    out = out + Numbers{double(line.kind == Line::Kind::Cut),
-                        double(line.p),
-                        double(line.q),
-                        corner.x,
-                        corner.y,
-                        corner.radius,
-                        double(sign)};
-  }
-  return out;
-}
-double judgeCut(In in, In out) {
-  std::vector<WholeLine> lines;  // the edge of a face from vertex p to q, or a cut of faces p and q
-  for (std::size_t k = 0; k < out.size(); k += 7) {
-    const std::size_t p = static_cast<std::size_t>(out[k + 1]), q = static_cast<std::size_t>(out[k + 2]);
-    lines.push_back(out[k] != 0 ? WholeLine{ExactPlane{&in[9 * p]}, ExactPlane{&in[9 * q]}}
-                                : WholeLine{&in[3 * p], &in[3 * q]});
-  }
-  const WholeLine third{ExactPlane{in.data()}, ExactPlane{&in[27]}};
-  double worst = 0;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    const WholeLine &l = lines[k], &m = lines[(k + 1) % lines.size()];
-    const Whole X = l.b * m.c - m.b * l.c, Y = m.a * l.c - l.a * m.c, W = l.a * m.b - m.a * l.b;
-    if (W == 0) return kWrong;
-    const auto side = [&](const WholeLine& n) {
-      return Whole{n.a * X + n.b * Y + n.c * W}.sign() * W.sign();
-    };
-    if (side(third) != whole(out[7 * k + 6])) return kWrong;
-    const Big radius = big(out[7 * k + 5]);
-    worst = std::max({worst, shareOf(out[7 * k + 3], Big{X} / Big{W}, radius),
-                      shareOf(out[7 * k + 4], Big{Y} / Big{W}, radius)});
-    // Every corner lies on the inner side of every line.
-    if (std::ranges::any_of(lines, [&](const WholeLine& other) { return side(other) < 0; })) return kWrong;
-  }
-  return worst;
 }
 
 }  // namespace
@@ -975,10 +836,6 @@ std::vector<Kernel> geometryKernels() {
        integers(3, 4) + 4 * points, preparedPlane, runPlane, [](In, In out) { return out[0]; }, 1},
       {"plane fit: h of a plane", "fit_plane.h: 2^-50 of it, and 2^-49 / r",
        4 * doubles(-1, 1) + 3 * doubles(0, 1) + doubles(0, 1e-4), preparedFit, runFit, judgeFit},
-      {"plane fit: the least h",
-       "fit_plane.h: 2^-9 of the least within 2^-10 of its direction, and 2^-49 / r, up to h = 4",
-       9 * doubles(0, 1) + 2 * doubles(-1, 2) + doubles(-8, 8) + doubles(0, 1.7e-5), preparedLeastFit,
-       runLeastFit, judgeLeastFit, 2, 0.2},
       {"depth doubt", "plane_record.h: 2^-23 of it, up to 2^127",
        turnedViewInput() + triangles(1) + integers(0, 40) + doubles(0, 1e-4) + integers(0, kDeep),
        preparedDoubt, runDoubt, judgeDoubt, 2, 0.3},
@@ -990,8 +847,6 @@ std::vector<Kernel> geometryKernels() {
        runTouch, judgeTouch},
       {"meeting line of two planes", "region.h: 6 2^-53 of each coefficient", triangles(2), turned<2>,
        runCutLine, judgeCutLine},
-      {"cut of a face and classification", "region.h: exact; a corner is within its radius", triangles(4),
-       turned<4>, runCut, judgeCut, 1, 0.5},
   };
 }
 
