@@ -26,15 +26,13 @@ namespace {
 
 /// ---- The sort with a list, as the textbook tells it
 
-/// The depth sort as the textbook tells it, with a list. It is the reference from which
-/// depthsort/depth_sort.h departs, for the reasons given there.
-/// The list is sorted by farthest z. P, the first in it, is tested against the other Q's whose z-extents
-/// reach back to P's: 1, 2 extents in x and y, 3 P behind Q's plane, 4 Q in front of P's plane, 5 the
-/// projections. If all fail, 3' and 4' follow with P and Q exchanged. If one of these holds, Q is moved to
-/// the front of the list, is marked, and is the new P. If none does, or if Q is marked already, P is split by
-/// Q's plane, its pieces go into the list by their farthest z, and everything starts again with the first in
-/// the list.
-/// It uses rational arithmetic, so that any error is the algorithm's.
+/// The depth sort as the textbook tells it, with a list, up to its first split. It is the reference from
+/// which depthsort/depth_sort.h departs, for the reasons given there. The list is sorted by farthest z. P,
+/// the first in it, is tested against the other Q's whose z-extents reach back to P's: 1, 2 extents in x and
+/// y, 3 P behind Q's plane, 4 Q in front of P's plane, 5 the projections. If all fail, 3' and 4' follow with
+/// P and Q exchanged. If one of these holds, Q is moved to the front of the list, is marked, and is the new
+/// P. If none does, or if Q is marked already, P would be split by Q's plane. It uses rational arithmetic, so
+/// that any error is the algorithm's.
 /// @see Foley & van Dam 2e §15.5.1
 struct ListPolygon {
   int face = 0;
@@ -42,59 +40,36 @@ struct ListPolygon {
   Rational zFar, zNear;
   bool marked = false;
 };
-struct ListSettings {
-  /// Stops at the first Q of the list beyond P's z-extent. This is right only for a sorted list.
-  bool stopAtFirstBeyond = false;
-  bool piecesInheritMarks = false;
-  int mostSplits = 60;  ///< after more splits the run counts as endless
-};
 struct ListSorted {
-  std::vector<ListPolygon> painted;
-  int moves = 0, splits = 0;
-  int idle = 0;          ///< splits by a plane that does not cross P: one piece, the same as before
-  bool endless = false;  ///< true if the limit ended the run with polygons left
+  std::vector<int> painted;
+  int moves = 0;
+  bool splits = false;  ///< the first split ended the run
 };
-ExactLine negative(const ExactLine& l) { return {-l.a, -l.b, -l.c}; }
-
-Rational least(const ExactLine& l, const ExactRegion& region) { return -greatest(negative(l), region); }
+Rational least(const ExactLine& l, const ExactRegion& region) {
+  return -greatest({-l.a, -l.b, -l.c}, region);
+}
 
 class ListSort {
  public:
-  ListSort(const SnappedScene& scene, const ListSettings& settings) : scene_{scene}, settings_{settings} {
-    for (int f = 0; f < static_cast<int>(scene.faces.size()); ++f)
-      insert(polygon(f, exactOutline(scene, scene.faces[f])));
+  explicit ListSort(const SnappedScene& scene) : scene_{scene} {
+    for (int f = 0; f < static_cast<int>(scene.faces.size()); ++f) {
+      const ExactLine z = exactDifference(scene.planes[scene.faces[f].plane], {});
+      ListPolygon P{f, exactOutline(scene, scene.faces[f]), 0, 0, false};
+      P.zFar = least(z, P.region), P.zNear = greatest(z, P.region);
+      list_.push_back(std::move(P));
+    }
+    list_.sort([](const ListPolygon& P, const ListPolygon& Q) { return P.zFar < Q.zFar; });
   }
 
   ListSorted run() {
-    while (!list_.empty()) {
-      if (sorted_.splits == settings_.mostSplits) {
-        sorted_.endless = true;
-        break;
-      }
-      step();
-    }
+    while (!list_.empty() && !sorted_.splits) step();
     return std::move(sorted_);
   }
 
  private:
-  using Place = std::list<ListPolygon>::iterator;
-
   [[nodiscard]] const ScreenPlane& plane(const ListPolygon& P) const {
     return scene_.planes[scene_.faces[P.face].plane];
   }
-  [[nodiscard]] ListPolygon polygon(int face, ExactRegion region) const {
-    const ExactLine z = exactDifference(scene_.planes[scene_.faces[face].plane], {});
-    ListPolygon P{face, std::move(region), 0, 0, false};
-    P.zFar = least(z, P.region), P.zNear = greatest(z, P.region);
-    return P;
-  }
-  /// Inserts P behind all that are as far.
-  void insert(ListPolygon P) {
-    list_.insert(
-        std::ranges::find_if(list_, [&](const ListPolygon& Q) { return !Q.marked && Q.zFar > P.zFar; }),
-        std::move(P));
-  }
-
   /// Tests 1 to 5: true if P may be painted before Q. In one plane the later face of the scene is in front.
   [[nodiscard]] bool mayGoFirst(const ListPolygon& P, const ListPolygon& Q) const {
     for (const ExactLine& along : {ExactLine{1, 0, 0}, ExactLine{0, 1, 0}})
@@ -112,69 +87,26 @@ class ListSort {
   }
 
   void step() {
-    const Place P = list_.begin();
-    for (Place Q = std::next(P); Q != list_.end(); ++Q) {
-      if (Q->zFar > P->zNear) {
-        if (settings_.stopAtFirstBeyond) break;
-        continue;
-      }
-      if (mayGoFirst(*P, *Q)) continue;
-      if (!Q->marked && liesBehind(*Q, *P)) {
-        Q->marked = true;
-        list_.splice(list_.begin(), list_, Q);
-        ++sorted_.moves;
-      } else {
-        split(P, plane(*Q));
-      }
+    const auto P = list_.begin();
+    for (auto Q = std::next(P); Q != list_.end(); ++Q) {
+      if (Q->zFar > P->zNear || mayGoFirst(*P, *Q)) continue;
+      sorted_.splits = Q->marked || !liesBehind(*Q, *P);
+      if (sorted_.splits) return;
+      Q->marked = true;
+      list_.splice(list_.begin(), list_, Q);
+      ++sorted_.moves;
       return;
     }
-    sorted_.painted.push_back(std::move(*P));
+    sorted_.painted.push_back(P->face);
     list_.erase(P);
-  }
-
-  void split(Place P, const ScreenPlane& by) {
-    const ListPolygon whole = std::move(*P);
-    list_.erase(P);
-    ++sorted_.splits;
-    const ExactLine ahead = exactDifference(plane(whole), by);
-    const ExactRegion behind = clipped(whole.region, negative(ahead)), front = clipped(whole.region, ahead);
-    sorted_.idle += behind.empty() || front.empty();
-    for (const ExactRegion& part : {behind, front}) {
-      if (part.empty()) continue;
-      ListPolygon piece = polygon(whole.face, part);
-      piece.marked = settings_.piecesInheritMarks && whole.marked;
-      insert(std::move(piece));
-    }
   }
 
   const SnappedScene& scene_;
-  ListSettings settings_;
   std::list<ListPolygon> list_;
   ListSorted sorted_;
 };
 
-ListSorted listSort(const SnappedScene& scene, const ListSettings& settings = {}) {
-  return ListSort{scene, settings}.run();
-}
-
 constexpr int kSize = 24;
-
-/// The index of the face painted last at each pixel's centre. For scenes without ties this is the picture.
-std::vector<int> paintedList(const ListSorted& sorted) {
-  std::vector<int> faces(kSize * kSize, kNothing);
-  for (int j = 0; j < kSize; ++j)
-    for (int i = 0; i < kSize; ++i)
-      for (const ListPolygon& P : sorted.painted)
-        if (exactlyCovers(P.region, i, j)) faces[j * kSize + i] = P.face;
-  return faces;
-}
-
-/// A rectangle from column x0 to x1, with depth z0 at its left side and z1 at its right.
-void addRectangle(SnappedScene& scene, int x0, int x1, int z0, int z1) {
-  const int top = 4 * kGrid, bottom = 8 * kGrid;
-  addFace(scene,
-          {{x0 * kGrid, top, z0}, {x0 * kGrid, bottom, z0}, {x1 * kGrid, bottom, z1}, {x1 * kGrid, top, z1}});
-}
 
 // Without splits, the list and the stack paint in the same order, face by face. Moving Q to the end and
 // marking it is a depth-first search, and the stack holds the marks.
@@ -185,81 +117,20 @@ TEST(ListSort, WithoutSplitsPaintsInTheOrderOfTheStack) {
     SCOPED_TRACE(seed);
     const SnappedScene scene = randomScene(seed, 2 + static_cast<int>(seed / kSceneKinds.size()) % 8, kSize);
     const SortedScene stack = depthSort(scene, {kSize, kSize, true});
-    ListSettings settings;
-    settings.mostSplits = 1;
-    const ListSorted list = listSort(scene, settings);
-    if (list.splits > 0 || stack.statistics.contacts > 0) continue;
+    const ListSorted list = ListSort{scene}.run();
+    if (list.splits || stack.statistics.contacts > 0) continue;
     ++same;
     moves += list.moves;
     ASSERT_EQ(stack.statistics.splits, 0);
     ASSERT_EQ(stack.statistics.moves, list.moves);
     ASSERT_EQ(stack.fragments.size(), list.painted.size());
     for (std::size_t k = 0; k < list.painted.size(); ++k, ++faces)
-      ASSERT_EQ(stack.fragments[k].face, list.painted[k].face) << k;
+      ASSERT_EQ(stack.fragments[k].face, list.painted[k]) << k;
   }
   if (!seeds.all()) return;
   EXPECT_GT(same, 200);
   EXPECT_GT(moves, 100);
   EXPECT_GT(faces, 1'000);
-}
-
-// The textbook always splits P by Q's plane, but that plane need not cross P. Then the list stays as it was,
-// and the run goes on for ever, most often in cycles.
-TEST(ListSort, DemandsSplitsThatDoNotCut) {
-  const Seeds seeds{16};
-  for (const SceneKind kind : {SceneKind::BigTriangles, SceneKind::Pinwheels}) {
-    int idle = 0, endless = 0;
-    for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
-      SCOPED_TRACE(seed);
-      const ListSorted list = listSort(randomScene(kind, seed, 8, kSize));
-      idle += list.idle > 0, endless += list.endless;
-      // one such split is enough, and nothing else makes the run endless
-      EXPECT_EQ(list.idle > 0, list.endless);
-    }
-    if (!seeds.all()) continue;
-    EXPECT_GE(idle, 4);
-    EXPECT_GE(endless, 4);
-  }
-}
-
-// After a move the list is no longer sorted. P rises from depth 0 to 100 over A's end. A lies over B's end,
-// and B over C's. So A is moved before P, and B before A. Now B is first, and the list then has A, beyond B's
-// z-extent. A scan that stops there does not reach C: B is painted before C, which then hides B's end.
-TEST(ListSort, WrongIfItStopsAtTheFirstBeyond) {
-  SnappedScene scene;
-  addRectangle(scene, 0, 10, 0, 100);   // P
-  addRectangle(scene, 8, 14, 50, 50);   // A
-  addRectangle(scene, 12, 20, 40, 40);  // B
-  addRectangle(scene, 18, 23, 30, 30);  // C
-  ListSettings settings;
-  const ListSorted patient = listSort(scene, settings);
-  settings.stopAtFirstBeyond = true;
-  const ListSorted hasty = listSort(scene, settings);
-  const std::vector<int> seen = visibleFaces(scene, kSize, kSize);
-  EXPECT_EQ(patient.moves, 3);
-  EXPECT_EQ(paintedList(patient), seen);
-  EXPECT_EQ(hasty.moves, 2);
-  EXPECT_EQ(seen[5 * kSize + 19], 2);
-  EXPECT_EQ(paintedList(hasty)[5 * kSize + 19], 3);
-}
-
-// ConvexParts that keep the mark of their parent are split where moving them would do, and again: more than
-// sixty splits of five triangles, where a few are enough.
-TEST(ListSort, EndlessIfPiecesInheritMarks) {
-  const Seeds seeds{60};
-  int endless = 0, better = 0;
-  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
-    const SnappedScene scene = randomScene(SceneKind::BigTriangles, seed, 5, kSize);
-    ListSettings settings;
-    const ListSorted plain = listSort(scene, settings);
-    if (plain.splits == 0 || plain.endless) continue;
-    settings.piecesInheritMarks = true;
-    ++better;
-    endless += listSort(scene, settings).endless;
-  }
-  if (!seeds.all()) return;
-  EXPECT_GT(better, 30);
-  EXPECT_GT(endless, 10);
 }
 
 /// ---- Cycles
