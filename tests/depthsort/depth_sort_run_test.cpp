@@ -407,22 +407,6 @@ TEST(DepthSortExtremes, OfThousandsOfCopiesTheLastIsSeen) {
   }
 }
 
-// The same with faces that cross the copies: the splits go through all copies.
-TEST(DepthSortExtremes, CopiesThatCross) {
-  SnappedScene scene = randomScene(SceneKind::BigTriangles, 5, 4, 16);
-  for (int i = 0; i < 200; ++i) addCopy(scene, i % 4);
-  for (const bool textbook : {false, true}) {
-    const SortedScene sorted =
-        depthSort(scene, {.width = 16, .height = 16, .textbook = textbook, .areas = false});
-    EXPECT_GT(sorted.statistics.splits, 100);
-    expectOracle(scene, sorted, 16, 16);
-  }
-  // In areas, copies are dropped before anything is split by them.
-  const SortedScene sorted = depthSort(scene, {16, 16});
-  EXPECT_GT(sorted.statistics.hidden, 100);
-  expectOracle(scene, sorted, 16, 16);
-}
-
 TEST(DepthSortExtremes, NothingToPaint) {
   for (const bool textbook : {false, true}) {
     const SortedScene sorted = depthSort({}, {5, 5, textbook});
@@ -469,26 +453,6 @@ TEST(DepthSortExtremes, LimitsOfTheGrid) {
     expectOracle(scene, sorted, kMaxPicture, 3);
     settings.width = 3, settings.height = kMaxPicture;
     expectOracle(scene, depthSort(scene, settings), 3, kMaxPicture);
-  }
-}
-
-// The steepest planes: triangles as thin as a step that cross a sample, over the whole depth, before and
-// behind flat faces.
-TEST(DepthSortExtremes, EdgeOn) {
-  SnappedScene scene;
-  const int c = kGrid / 2, Z = 1 << 30;
-  for (int i = 0; i < 8; ++i) {
-    const glm::ivec3 sample{i * kGrid + c, 3 * kGrid + c, 0};
-    addFace(scene, {sample + glm::ivec3{0, -1, i % 2 ? Z : 0}, sample + glm::ivec3{0, 1, 0},
-                    sample + glm::ivec3{1, 0, Z}});
-    addFace(scene, {sample + glm::ivec3{0, -1, Z}, sample + glm::ivec3{0, 1, i % 3 ? 0 : Z},
-                    sample + glm::ivec3{1, 0, 0}});
-  }
-  addFace(scene, {{0, 0, Z / 2}, {0, 8 * kGrid, Z / 2}, {16 * kGrid, 0, Z / 2}});
-  for (const bool textbook : {false, true}) {
-    const SortedScene sorted = depthSort(scene, {8, 8, textbook});
-    EXPECT_GT(sorted.statistics.pairs(), 16);
-    expectOracle(scene, sorted, 8, 8);
   }
 }
 

@@ -500,36 +500,6 @@ TEST(Oracle, AgreesWithRationalArithmetic) {
   EXPECT_GT(ties, 250);
 }
 
-// nearer() separates depths that differ far below a double's last bit. The slopes F(n-1)/F(n) of Fibonacci
-// numbers up to 2^60 lie on alternating sides of the golden ratio, at a distance of 1/(F(n) F(n+1)) from each
-// other (Cassini).
-TEST(Oracle, NearerDecidesBeyondDoubles) {
-  std::vector<std::int64_t> F{1, 1};
-  while (F.size() < 87) F.push_back(F[F.size() - 1] + F[F.size() - 2]);
-  EXPECT_GT(F.back(), std::int64_t{1} << 58);
-  for (int n = 40; n + 1 < 87; ++n) {
-    const ScreenPlane P{F[n - 1], 0, F[n]}, Q{F[n], 0, F[n + 1]};
-    EXPECT_EQ(nearer(P, Q, 0, 0), n % 2 ? 1 : -1) << n;
-    EXPECT_EQ(nearer(P, Q, 8191, 0), n % 2 ? 1 : -1) << n;
-  }
-}
-
-// The plane of a face with many corners goes through three of them that are far apart.
-TEST(Oracle, PlaneOfManyCorners) {
-  SnappedScene scene;
-  scene.vertices = {
-      {0, 0, 100}, {0, kGrid, 207}, {0, 9 * kGrid, 1000}, {9 * kGrid, 9 * kGrid, 1900}, {9 * kGrid, 0, 1000}};
-  const ScreenPlane p = planeThrough(scene.vertices.data(), 5);
-  const auto on = [&](int v) {
-    const glm::ivec3& q = scene.vertices[v];
-    return Int128{p.A} * q.x + Int128{p.B} * q.y + p.D == Int128{p.C} * q.z;
-  };
-  EXPECT_GT(p.C, 0);
-  EXPECT_TRUE(on(0));
-  EXPECT_FALSE(on(1));  // bent by 7 steps near the first corner, too near to decide the plane
-  EXPECT_TRUE(on(3));
-}
-
 }  // namespace
 
 }  // namespace xnewell::THIS_FILE

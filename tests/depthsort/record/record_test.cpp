@@ -278,12 +278,12 @@ TEST(Landmarks, AgreeWithAWalk) {
   for (const int count : seen) EXPECT_GT(count, 20);
 }
 
-// The comparison of a step is about its two polygons. For a failed test it is the step itself.
-TEST(Landmarks, TheComparisonIsOfTheSamePair) {
-  int moves = 0;
+// The comparison of a step is about its two polygons. For a failed test it is the step itself. For a painted
+// polygon, all tests that settled it since it was taken are counted, and none of another P.
+TEST(Landmarks, TellOfThePolygonsOfAStep) {
+  int moves = 0, pairs = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {
-    const SnappedScene scene = randomScene(seed, 30, kSize);
-    const SortedScene sorted = recorded(scene);
+    const SortedScene sorted = recorded(randomScene(seed, 30, kSize));
     for (int step = 1; step <= static_cast<int>(sorted.events.size()); ++step) {
       const Event& e = sorted.events[step - 1];
       const Event* const compare = comparisonAt(sorted, step);
@@ -293,37 +293,27 @@ TEST(Landmarks, TheComparisonIsOfTheSamePair) {
       if (e.kind == Event::Kind::Take || e.kind == Event::Kind::Paint) {
         ASSERT_EQ(compare, nullptr);
       }
-      if (e.kind != Event::Kind::Move) continue;
-      ASSERT_NE(compare, nullptr);
-      ASSERT_EQ(compare->P, e.P);
-      ASSERT_EQ(compare->Q, e.Q);
-      ASSERT_EQ(compare->verdict, Verdict::QFirst);
-      ++moves;
-    }
-  }
-  EXPECT_GT(moves, 100);
-}
-
-// For a painted polygon, all tests that settled it since it was taken are counted, and none of another P.
-TEST(Landmarks, CountWhatSettledAPolygon) {
-  int pairs = 0;
-  for (unsigned seed = 0; seed < 40; ++seed) {
-    const SortedScene sorted = recorded(randomScene(seed, 30, kSize));
-    for (int step = 1; step <= static_cast<int>(sorted.events.size()); ++step) {
-      const Event& painted = sorted.events[step - 1];
-      if (painted.kind != Event::Kind::Paint) continue;
+      if (e.kind == Event::Kind::Move) {
+        ASSERT_NE(compare, nullptr);
+        ASSERT_EQ(compare->P, e.P);
+        ASSERT_EQ(compare->Q, e.Q);
+        ASSERT_EQ(compare->verdict, Verdict::QFirst);
+        ++moves;
+      }
+      if (e.kind != Event::Kind::Paint) continue;
       int sum = 0, expected = 0;
       for (const int count : settledFor(sorted, step)) sum += count;
       for (int k = step - 1; k-- > 0;) {
-        const Event& e = sorted.events[k];
-        expected += e.kind == Event::Kind::Compare && e.P == painted.P;
-        if (e.kind == Event::Kind::Take && e.P == painted.P) break;
-        if (e.kind == Event::Kind::Move && e.Q == painted.P) break;
+        const Event& before = sorted.events[k];
+        expected += before.kind == Event::Kind::Compare && before.P == e.P;
+        if (before.kind == Event::Kind::Take && before.P == e.P) break;
+        if (before.kind == Event::Kind::Move && before.Q == e.P) break;
       }
       ASSERT_EQ(sum, expected);
       pairs += sum;
     }
   }
+  EXPECT_GT(moves, 100);
   EXPECT_GT(pairs, 500);
 }
 
@@ -391,9 +381,9 @@ std::vector<Seen> literally(const SnappedScene& scene, const SortedScene& sorted
 }
 
 // Every step looks as in the literal replay from the start, whether it is reached forward, back or by a jump
-// from anywhere.
+// from anywhere. P is always taken from the head of the list, which is sorted by farthest z.
 TEST(Replay, AnyStepIsReachedFromAnyOther) {
-  int farBack = 0, splits = 0, voids = 0, unmarked = 0;
+  int farBack = 0, splits = 0, voids = 0, unmarked = 0, taken = 0;
   for (unsigned seed = 0; seed < 140; ++seed)
     for (const bool textbook : {false, true}) {
       SCOPED_TRACE(seed);
@@ -402,6 +392,8 @@ TEST(Replay, AnyStepIsReachedFromAnyOther) {
       const std::vector<Seen> expected = literally(scene, sorted);
       Replay replay{scene, sorted};
       ASSERT_EQ(std::ssize(expected), replay.steps() + 1);
+      EXPECT_TRUE(std::ranges::is_sorted(sorted.list, {},
+                                         [&](int face) { return extentsOf(scene, scene.faces[face]).zFar; }));
       const auto check = [&](int step) {
         replay.goTo(step);
         EXPECT_EQ(replay.step(), step);
@@ -422,40 +414,19 @@ TEST(Replay, AnyStepIsReachedFromAnyOther) {
       }
       splits += static_cast<int>(sorted.statistics.splits);
       voids += static_cast<int>(sorted.statistics.voids);
-      for (std::size_t k = 1; k < sorted.events.size(); ++k)
-        unmarked +=
-            sorted.events[k].kind == Event::Kind::Split && expected[k].marked.front() == sorted.events[k].Q;
+      for (std::size_t k = 0; k < sorted.events.size(); ++k) {
+        const Event& e = sorted.events[k];
+        unmarked += k > 0 && e.kind == Event::Kind::Split && expected[k].marked.front() == e.Q;
+        if (e.kind != Event::Kind::Take) continue;
+        ASSERT_EQ(expected[k].list.front(), (Replay::Listed{e.P, false}));
+        ++taken;
+      }
     }
+  EXPECT_GT(taken, 500);
   EXPECT_GT(farBack, 1000);
   EXPECT_GT(splits, 1000);
   EXPECT_GT(voids, 0);
   EXPECT_GT(unmarked, 100);
-}
-
-// P is always taken from the head of the list, which is sorted by farthest z, in both runs.
-TEST(Replay, TheNextPIsTheFirstOfTheList) {
-  int taken = 0;
-  for (unsigned seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE(seed);
-    const SnappedScene scene =
-        randomScene(kSceneKinds[seed % kTriangleKinds].id, seed, 2 + seed / 2 % 17, kSize);
-    const SortedScene sorted = recorded(scene, /*textbook=*/seed % 2 == 0);
-    const auto farthest = [&](int face) {
-      const glm::ivec3* v = &scene.vertices[scene.faces[face].first];
-      return std::min({v[0].z, v[1].z, v[2].z});
-    };
-    EXPECT_TRUE(std::ranges::is_sorted(sorted.list, {}, farthest));
-    Replay replay{scene, sorted};
-    for (int k = 0; k < replay.steps(); ++k) {
-      if (sorted.events[k].kind != Event::Kind::Take) continue;
-      replay.goTo(k);
-      const auto list = replay.list(1);
-      ASSERT_EQ(list.size(), 1u);
-      EXPECT_EQ(list[0], (Replay::Listed{sorted.events[k].P, false}));
-      ++taken;
-    }
-  }
-  EXPECT_GT(taken, 500);
 }
 
 // A run with more events than allowed throws instead of keeping them. A run with exactly as many does not
