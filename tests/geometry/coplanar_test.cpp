@@ -111,6 +111,19 @@ int countOf(const std::vector<int>& classes) {
   return classes.empty() ? 0 : 1 + *std::max_element(classes.begin(), classes.end());
 }
 
+/// Whether two faces lie in one plane, the coordinates of the first being off by u and those of the other by
+/// v.
+bool united(const Pts& first, const Pts& other, double u = 0, double v = 0) {
+  Mesh mesh = exactMesh();
+  mesh.groupNames = {"", ""};
+  mesh.rounding = {u, v};
+  addRounded(mesh, first, 0);
+  addRounded(mesh, other, 0);
+  mesh.group[1] = 1;
+  return countOf(classesOf(mesh)) == 1;
+}
+const Pts kSquare = rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+
 Mesh scaledBy(Mesh mesh, double factor) {
   for (glm::dvec3& p : mesh.points) p *= factor;
   for (double& u : mesh.rounding) u *= factor;
@@ -243,65 +256,45 @@ TEST(Coplanar, ManyTilesCloseAboveTheFloor) {
 
 // What rounding explains is that of each face's object. A coarse object lends nothing to others.
 TEST(Coplanar, RoundingByObject) {
-  const auto united = [](double height, double u, double v) {
-    Mesh mesh = exactMesh();
-    mesh.groupNames = {"", ""};
-    mesh.rounding = {u, v};
-    addRounded(mesh, rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 0);
-    addRounded(mesh, rectangle({0.25, 0.25, height}, {0.5, 0, 0}, {0, 0.5, 0}), 0);
-    mesh.group[1] = 1;
-    return countOf(classesOf(mesh)) == 1;
+  const auto unitedAt = [](double height, double u, double v) {
+    return united(kSquare, rectangle({0.25, 0.25, height}, {0.5, 0, 0}, {0, 0.5, 0}), u, v);
   };
-  EXPECT_TRUE(united(0.099, 0.5e-1, 0.5e-1));
-  EXPECT_FALSE(united(0.101, 0.5e-1, 0.5e-1));
-  EXPECT_TRUE(united(0.99e-6, 1e-6, 0));
-  EXPECT_TRUE(united(0.99e-6, 0, 1e-6));
-  EXPECT_FALSE(united(1.01e-6, 1e-6, 0));
-  EXPECT_TRUE(united(1.99e-6, 1e-6, 1e-6));
-  EXPECT_FALSE(united(2.01e-6, 1e-6, 1e-6));
-  EXPECT_TRUE(united(0x1p-45, 0, 0));
-  EXPECT_FALSE(united(0x1p-44, 0, 0));
+  EXPECT_TRUE(unitedAt(0.099, 0.5e-1, 0.5e-1));
+  EXPECT_FALSE(unitedAt(0.101, 0.5e-1, 0.5e-1));
+  EXPECT_TRUE(unitedAt(0.99e-6, 1e-6, 0));
+  EXPECT_TRUE(unitedAt(0.99e-6, 0, 1e-6));
+  EXPECT_FALSE(unitedAt(1.01e-6, 1e-6, 0));
+  EXPECT_TRUE(unitedAt(1.99e-6, 1e-6, 1e-6));
+  EXPECT_FALSE(unitedAt(2.01e-6, 1e-6, 1e-6));
+  EXPECT_TRUE(unitedAt(0x1p-45, 0, 0));
+  EXPECT_FALSE(unitedAt(0x1p-44, 0, 0));
 }
 
 // Far from the origin, the rounding of coordinates to doubles counts: 2^-50 of the largest for each face.
 TEST(Coplanar, RoundingOfDoublesFarAway) {
-  const auto united = [](double height) {
-    constexpr double kFar = 0x1p20;
-    Mesh mesh = exactMesh();
-    addRounded(mesh, rectangle({0, 0, kFar}, {1, 0, 0}, {0, 1, 0}), 0);
-    addRounded(mesh, rectangle({0.25, 0.25, kFar + height}, {0.5, 0, 0}, {0, 0.5, 0}), 0);
-    return countOf(classesOf(mesh)) == 1;
-  };
-  EXPECT_TRUE(united(0x1p-29));
-  EXPECT_FALSE(united(0x1p-29 + 0x1p-31));
+  constexpr double kFar = 0x1p20;
+  for (const double height : {0x1p-29, 0x1p-29 + 0x1p-31})
+    EXPECT_EQ(united(rectangle({0, 0, kFar}, {1, 0, 0}, {0, 1, 0}),
+                     rectangle({0.25, 0.25, kFar + height}, {0.5, 0, 0}, {0, 0.5, 0})),
+              height == 0x1p-29);
 }
 
 // A long narrow decal is in the plane of its wall, although rounding tilts it by as much as it can.
 TEST(Coplanar, NarrowDecalsUniteWithTheirWall) {
   constexpr double kU = 1e-5;
-  for (const double low : {0.05, 0.5, 0.9}) {
-    Mesh mesh = exactMesh();
-    mesh.rounding = {kU};
-    addRounded(mesh, rectangle({0, 0, 0}, {0.99, 0, 0}, {0, 0.99, 0}), 0);
-    addRounded(mesh, rectangle({0, low, -kU}, {0.9, 0, 0}, {0, 0.01, 2 * kU}), 0);
-    EXPECT_EQ(countOf(classesOf(mesh)), 1) << low;
-  }
+  for (const double low : {0.05, 0.5, 0.9})
+    EXPECT_TRUE(united(rectangle({0, 0, 0}, {0.99, 0, 0}, {0, 0.99, 0}),
+                       rectangle({0, low, -kU}, {0.9, 0, 0}, {0, 0.01, 2 * kU}), kU, kU))
+        << low;
 }
 
 // A decal that reaches onto the wall by more than rounding can move an edge and the decal, 2 sqrt 2 u
 // together, is in its plane; one that reaches less far may only touch it.
 TEST(Coplanar, OverlapBeginsBeyondRounding) {
   constexpr double kU = 0.5e-6, kReach = std::numbers::sqrt2 * kU;
-  const auto united = [](double overlap) {
-    Mesh mesh = exactMesh();
-    mesh.rounding = {kU};
-    addRounded(mesh, rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 0);
-    addRounded(mesh, rectangle({1 - overlap, 0, 0}, {1, 0, 0}, {0, 1, 0}), 0);
-    return countOf(classesOf(mesh)) == 1;
-  };
-  EXPECT_FALSE(united(0));
-  EXPECT_FALSE(united(1.99 * kReach));
-  EXPECT_TRUE(united(2.01 * kReach + 1e-13));
+  for (const double overlap : {0.0, 1.99 * kReach, 2.01 * kReach + 1e-13})
+    EXPECT_EQ(united(kSquare, rectangle({1 - overlap, 0, 0}, {1, 0, 0}, {0, 1, 0}), kU, kU),
+              overlap > 2 * kReach);
 }
 
 // The parts of a concave planar face lie in one plane, with the decals on any of its arms. The parts of a

@@ -153,15 +153,6 @@ std::vector<int> all(std::size_t count) {
   return corners;
 }
 
-// The unit square in the plane z = 2, counter-clockwise from above: N = +z, d = 2, vector area 2 * 1.
-TEST(Plane, OfASquareByNewellsMethod) {
-  const std::array<glm::dvec3, 4> p{{{0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}}};
-  const std::array corners{0, 1, 2, 3};
-  EXPECT_EQ(newellVector(p, corners), glm::dvec3(0, 0, 2));
-  EXPECT_EQ(newellPlane(p, corners).N, glm::dvec3(0, 0, 1));
-  EXPECT_EQ(newellPlane(p, corners).d, 2.0);
-}
-
 // Against fractions: Green's formula in the coordinates of the plane. The polygons are stars, most of them
 // concave, in planes of any slope and up to 2^40 of their sizes away from the origin; all their coordinates
 // are whole numbers. A star is about 200 wide, so the result is the nearest double to within the rounding of

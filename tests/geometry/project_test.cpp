@@ -63,61 +63,6 @@ TEST(Project, DropsAndCountsFacesWithoutArea) {
   EXPECT_EQ(s.degenerate, 4);
 }
 
-// A mesh reaches through the front plane, behind the eye and a million pixels to the side. Both neighbours of
-// every inner edge get the same clipped vertices.
-TEST(Project, NeighboursShareClippedVertices) {
-  int clippedEdges = 0;
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 rng{seed};
-    std::uniform_real_distribution<double> wide{-40, 40}, deep{-3, 6};
-    // Two triangles on the edge a b, listed in opposite directions as in a closed mesh.
-    const glm::dvec3 a{wide(rng), wide(rng), deep(rng)}, b{wide(rng), wide(rng), deep(rng)};
-    Mesh m;
-    m.points = {a, b, {wide(rng), wide(rng), deep(rng)}, {wide(rng), wide(rng), deep(rng)}};
-    const int first[] = {0, 1, 2}, second[] = {1, 0, 3};
-    m.addFace(first, 0);
-    m.addFace(second, 0);
-    const ViewSpec view = fromAbove(seed % 2 ? Projection::Perspective : Projection::Parallel);
-    const SnappedScene s = projected(m, view);
-    if (s.faces.size() != 2) continue;
-    // The visible part of the shared edge lies on both outlines, with the same two ends.
-    const auto outline = [&](int f) {
-      std::set<std::array<int, 3>> v;
-      for (int i = 0; i < s.faces[f].count; ++i) {
-        const glm::ivec3& p = s.vertices[s.faces[f].first + i];
-        v.insert({p.x, p.y, p.z});
-      }
-      return v;
-    };
-    const auto one = outline(0), two = outline(1);
-    int shared = 0;
-    for (const auto& v : one) shared += static_cast<int>(two.count(v));
-    // Clip the edge by itself, in the textbook's parametric form, to find out whether any of it is visible.
-    const glm::dmat4 M = screenFromCanonical(view, 512, 512) * canonicalFromVrc(view);
-    const glm::dvec4 A = M * glm::dvec4{a, 1}, B = M * glm::dvec4{b, 1};
-    const double front = frontDepth(view, 512);
-    double from = 0, to = 1;
-    for (const auto& [ha, hb] : {std::pair{front * A.w - A.z, front * B.w - B.z},
-                                 {A.z, B.z},
-                                 {8192 * A.w + A.x, 8192 * B.w + B.x},
-                                 {8192 * A.w - A.x, 8192 * B.w - B.x},
-                                 {8192 * A.w + A.y, 8192 * B.w + B.y},
-                                 {8192 * A.w - A.y, 8192 * B.w - B.y}}) {
-      if (ha < 0 && hb < 0)
-        to = -1;
-      else if (ha < 0)
-        from = std::max(from, ha / (ha - hb));
-      else if (hb < 0)
-        to = std::min(to, ha / (ha - hb));
-    }
-    if (to - from < 1e-6) continue;
-    EXPECT_GE(shared, 2);
-    clippedEdges += from > 0 || to < 1;
-  }
-  EXPECT_GT(clippedEdges, 30);
-}
-
 // The window may be vastly smaller than the faces: every snapped vertex lies in the guard band and between
 // the front and the back plane.
 TEST(Project, StaysInTheGuardBand) {
@@ -142,30 +87,6 @@ TEST(Project, StaysInTheGuardBand) {
         }
       }
   EXPECT_GT(cut, 1'000u);
-}
-
-// A polygon with a million corners keeps its area: rounding its corners to the grid moves the outline by at
-// most one step. Every part of it is convex and has a positive area.
-TEST(Project, MillionCorners) {
-  Mesh m;
-  constexpr int kCorners = 1'000'000;
-  std::vector<int> corners(kCorners);
-  for (int i = 0; i < kCorners; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kCorners;
-    m.points.push_back({0.8 * std::cos(angle), 0.8 * std::sin(angle), 0});
-    corners[i] = i;
-  }
-  m.addFace(corners, 0);
-  const SnappedScene s = projected(m, fromAbove(Projection::Parallel));
-  double area = 0;
-  for (const SnappedFace& f : s.faces) {
-    ASSERT_EQ(f.number, 0);
-    const std::int64_t twice = doubleArea(&s.vertices[f.first], f.count);
-    ASSERT_GT(twice, 0);
-    area += static_cast<double>(twice) / 2 / kGrid / kGrid;
-  }
-  const double radius = 0.8 * 256, perimeter = 2 * std::numbers::pi * radius;
-  EXPECT_NEAR(area, std::numbers::pi * radius * radius, 2 * perimeter / kGrid);
 }
 
 // A point very near the eye makes z steps coarser than those of x and y. z never needs more than 30 bits.
@@ -245,46 +166,6 @@ TEST(Project, DoubtIsByObject) {
   ASSERT_EQ(s.faces.size(), 2u);
   EXPECT_NEAR(s.doubtOf(s.faces[0]).at(0), 0.5, 1e-6);
   EXPECT_NEAR(s.doubtOf(s.faces[1]).at(0), 0.5 + 1e-7 * perUnit, 1e-4);
-}
-
-// The doubt is what a plane moves by if it is moved by r, at any depth, and what the snap adds: the plane of
-// the triangle is moved in the model and projected again.
-TEST(Project, DoubtIsWhatRoundingMoves) {
-  std::mt19937 rng{7};
-  std::uniform_real_distribution<double> in{-1.0, 1.0};
-  int mostly = 0;  // how often rounding moves more than the snap
-  for (int k = 0; k < 500; ++k) {
-    ViewSpec view = fromAbove(k % 2 ? Projection::Perspective : Projection::Parallel);
-    view.prp = {in(rng), in(rng), 4};
-    view.vpn = {in(rng) / 3, in(rng) / 3, 1};
-    const glm::dvec3 N = glm::normalize(glm::dvec3{in(rng), in(rng), 1.3});
-    const double u = 1e-5 * std::exp2(4 * in(rng)-4), r = u * (std::abs(N.x) + std::abs(N.y) + std::abs(N.z));
-    const auto planeAt = [&](double c) {
-      const auto at = [&](double x, double y) { return glm::dvec3{x, y, (c - N.x * x - N.y * y) / N.z}; };
-      Mesh m = triangle(at(-0.5, -0.5), at(0.5, -0.4), at(0.1, 0.5));
-      m.group = {0};
-      m.rounding = {u};
-      return projected(m, view);
-    };
-    const double c = 0.8 * in(rng);
-    const glm::dvec3 eye = glm::transpose(vrcRotation(view)) * view.prp;
-    if (std::abs(glm::dot(N, eye) - c) < 1000 * r)
-      continue;  // r then moves the plane by more than in proportion
-    const SnappedScene s = planeAt(c), moved = planeAt(c + r);
-    ASSERT_EQ(s.faces.size(), 1u);
-    const ScreenPlane& plane = s.planes[0];
-    const double slope =
-        static_cast<double>(std::abs(plane.A) + std::abs(plane.B)) / static_cast<double>(plane.C);
-    for (int v = 0; v < 3; ++v) {
-      const glm::ivec3& p = s.vertices[v];
-      const double z = depthAt(plane, p.x, p.y), off = std::abs(depthAt(moved.planes[0], p.x, p.y) - z);
-      const double snap = 0.5 + 0.5 * slope, most = s.doubtOf(s.faces[0]).at(z) - snap;
-      ASSERT_LT(off, 1.002 * most + 2 * snap) << k;
-      ASSERT_GT(off, 0.998 * most - 2 * snap) << k;
-      mostly += most > 10 * snap;
-    }
-  }
-  EXPECT_GT(mostly, 500);
 }
 
 /// ---- Corners far from the others

@@ -4,8 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <glm/ext/matrix_clip_space.hpp>
-#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <random>
@@ -156,36 +154,6 @@ TEST(Stages, TheTextbooksHouseInParallel) {
       1e-15);
   expectNear(stages.matrix(ViewStage::Viewport),
              rows({450, 0, 0, 450}, {0, -450, 0, 450}, {0, 0, 1200, 1200}, {0, 0, 0, 1}), 1e-12);
-}
-
-// lookAt from VRP, towards -VPN, is the turn into VRC. frustum is what the other two stages make, and ortho
-// is what they make in a parallel view with the eye over the window's middle; GLM's z runs from -1 (near)
-// to 1.
-TEST(Stages, AgreeWithGlm) {
-  RandomViews random{1974};
-  for (int trial = 0; trial < 500; ++trial) {
-    SCOPED_TRACE(trial);
-    const Kind kind = static_cast<Kind>(trial % 3);
-    const ViewSpec s = random.view(kind);
-    const ViewStages stages{s, 800, 600};
-    expectNear(stages.matrix(ViewStage::Vrc), glm::lookAt(s.vrp, s.vrp - unit(s.vpn), s.vup), 1e-13);
-    const double near = s.prp.z - s.front, far = s.prp.z - s.back;
-    const glm::dvec2 low = s.windowMin - glm::dvec2{s.prp}, high = s.windowMax - glm::dvec2{s.prp};
-    const double at = near / s.prp.z;  // the window, brought to the near plane
-    const glm::dmat4 toEye = glm::translate(glm::dmat4{1.0}, -s.prp);
-    const glm::dmat4 theirs =
-        (kind == Kind::Parallel ? glm::ortho(low.x, high.x, low.y, high.y, near, far)
-                                : glm::frustum(low.x * at, high.x * at, low.y * at, high.y * at, near, far)) *
-        toEye;
-    const glm::dmat4 ours = stages.matrix(ViewStage::Warped) * stages.matrix(ViewStage::Sheared);
-    for (int k = 0; k < 10; ++k) {
-      const glm::dvec4 p{random.point(), 1.0};
-      const glm::dvec4 a = ours * p, b = theirs * p;
-      EXPECT_NEAR(a.x / a.w, b.x / b.w, 1e-12);
-      EXPECT_NEAR(a.y / a.w, b.y / b.w, 1e-12);
-      EXPECT_NEAR(a.z / a.w, -(b.z / b.w + 1.0) / 2.0, 1e-11);
-    }
-  }
 }
 
 // The product so far, times the product from there on, is the whole; and a vertex goes through both.

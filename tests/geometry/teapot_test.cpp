@@ -9,7 +9,6 @@
 #include <random>
 #include <set>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "geometry/exact/plane.h"
@@ -282,9 +281,6 @@ TEST(Bezier, CornerNormalsAreThoseOfThePatch) {
 
 /// ---- The teapot
 
-using Triple = std::tuple<double, double, double>;
-Triple triple(const glm::dvec3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
-
 class Teapot : public testing::Test {
  protected:
   std::vector<BezierPatch> patches = readBpt(XNEWELL_DATA_DIR "/teapot.bpt");
@@ -334,104 +330,6 @@ TEST_F(Teapot, ControlPointsHaveTheKnownChecksum) {
   EXPECT_EQ(text.find("-0.000000"), std::string::npos);
 
   EXPECT_EQ(sha256(text), "89429611b6eeaf2988c815dea4494a30f9ed46a4dca77e618f5b857344add026");
-}
-
-// The file is checked against a second source. Each part's patches have the points that its rings (radius,
-// height) or sections (x, z at y = 0, -w, -w, 0) demand.
-TEST_F(Teapot, ControlPointsFollowTheRingsAndSections) {
-  struct Ring {
-    double r, z;
-  };
-  const auto ringPart = [](const std::array<Ring, 4>& rings) {
-    std::multiset<Triple> points;
-    for (const auto [r, z] : rings) {
-      const double k = r == 0.8 ? 0.5625 : 0.56;
-      for (const double x : {-r, r})
-        for (const double y : {-r, r}) {  // a quadrant: two ends and two points between
-          const double a = std::copysign(k * r, x), b = std::copysign(k * r, y);
-          for (const glm::dvec3& p : {glm::dvec3{x, 0, z}, {x, b, z}, {a, y, z}, {0, y, z}})
-            points.insert(triple(p));
-        }
-    }
-    return points;
-  };
-  struct Section {
-    double w, x0, z0, x1, z1;
-  };
-  const auto tubePart = [](const std::array<Section, 7>& sections) {
-    std::multiset<Triple> points;
-    for (std::size_t i = 0; i < 7; ++i)
-      for (int times = 0; times < (i == 3 ? 2 : 1); ++times)  // two patches share the middle section
-        for (const double side : {-1.0, 1.0}) {
-          const auto [w, x0, z0, x1, z1] = sections[i];
-          for (const double y : {0.0, side * w}) {
-            points.insert({x0, y, z0});
-            points.insert({x1, y, z1});
-          }
-        }
-    return points;
-  };
-  const double h = 0.3;
-  const std::array expected{
-      ringPart({{{1.4, 2.4}, {1.3375, 2.53125}, {1.4375, 2.53125}, {1.5, 2.4}}}),
-      ringPart({{{1.5, 2.4}, {1.75, 1.875}, {2, 1.35}, {2, 0.9}}}),
-      ringPart({{{2, 0.9}, {2, 0.45}, {1.5, 0.225}, {1.5, 0.15}}}),
-      tubePart({{{h, -1.6, 2.025, -1.5, 2.25},
-                 {h, -2.3, 2.025, -2.5, 2.25},
-                 {h, -2.7, 2.025, -3, 2.25},
-                 {h, -2.7, 1.8, -3, 1.8},
-                 {h, -2.7, 1.575, -3, 1.35},
-                 {h, -2.5, 1.125, -2.65, 0.9375},
-                 {h, -2, 0.9, -1.9, 0.6}}}),
-      tubePart({{{0.66, 1.7, 1.425, 1.7, 0.6},
-                 {0.66, 2.6, 1.425, 3.1, 0.825},
-                 {0.25, 2.3, 2.1, 2.4, 2.025},
-                 {0.25, 2.7, 2.4, 3.3, 2.4},
-                 {0.25, 2.8, 2.475, 3.525, 2.49375},
-                 {0.15, 2.9, 2.475, 3.45, 2.5125},
-                 {0.15, 2.8, 2.4, 3.2, 2.4}}}),
-      ringPart({{{0, 3.15}, {0.8, 3.15}, {0, 2.85}, {0.2, 2.7}}}),
-      ringPart({{{0.2, 2.7}, {0.4, 2.55}, {1.3, 2.55}, {1.3, 2.4}}}),
-      ringPart({{{0, 0}, {1.425, 0}, {1.5, 0.075}, {1.5, 0.15}}}),
-  };
-  for (int part = 0; part < 8; ++part) {
-    std::vector<Triple> points;
-    for (int k = 4 * part; k < 4 * part + 4; ++k)
-      for (const glm::dvec3& p : patches[k].p) points.push_back(triple(p));
-    std::sort(points.begin(), points.end());
-    ASSERT_EQ(points.size(), expected[part].size());
-    // k * r as a double may differ from the file's decimal by a rounding
-    auto other = expected[part].begin();
-    for (const auto& [x, y, z] : points) {
-      const auto& [ex, ey, ez] = *other++;
-      EXPECT_LT(glm::length(glm::dvec3{x - ex, y - ey, z - ez}), 1e-15) << kTeapotParts[part].name;
-    }
-  }
-}
-
-// The control points fill the box (-3, -2, 0)..(3.525, 2, 3.15). The surface stops short of it at the spout's
-// lip, in the plane y = 0.
-TEST_F(Teapot, BoxOfControlPointsAndReachOfTheSpout) {
-  glm::dvec3 lowest{1e9}, highest{-1e9};
-  for (const BezierPatch& patch : patches)
-    for (const glm::dvec3& p : patch.p) {
-      lowest = glm::min(lowest, p);
-      highest = glm::max(highest, p);
-    }
-  EXPECT_EQ(lowest, glm::dvec3(-3, -2, 0));
-  EXPECT_EQ(highest, glm::dvec3(3.525, 2, 3.15));
-  const auto reach = [&](int divisions) {
-    double x = 0.0;
-    for (const glm::dvec3& p : tessellate(patches, divisions).points) x = std::max(x, p.x);
-    return x;
-  };
-  EXPECT_NEAR(reach(32), 3.43406, 5e-6);
-  // The lip's edge has x = 3.3, 3.525, 3.45, 3.2, so dx/dt / 3 = 0.225 - 0.6 t + 0.125 t^2. Half a step of
-  // 1/128 beside its zero, the edge is lower by less than 0.6 * 3 / 2 / 256^2.
-  const double t = (0.6 - std::sqrt(0.6 * 0.6 - 4 * 0.225 * 0.125)) / (2 * 0.125);
-  const double tip = point(patches[18], t, 0.0).x;
-  EXPECT_LE(reach(128), tip);
-  EXPECT_GE(reach(128), tip - 0.6 * 3 / 2 / (256 * 256));
 }
 
 // The areas are known from independent work. The choice of diagonal changes the coarsest by up to 0.0003, and
