@@ -389,24 +389,6 @@ TEST(DepthSortExtremes, ChainInEveryRun) {
     }
 }
 
-// Copies lie in one plane. Nothing is split, and the last one of the scene is seen.
-TEST(DepthSortExtremes, OfThousandsOfCopiesTheLastIsSeen) {
-  SnappedScene scene = randomScene(SceneKind::BigTriangles, 1, 1, 16);
-  while (scene.faces.size() < 2'000) addCopy(scene, 0);
-  for (const bool textbook : {false, true}) {
-    const SortedScene sorted = depthSort(scene, {16, 16, textbook});
-    EXPECT_EQ(sorted.fragments.size(), 2'000u);
-    EXPECT_EQ(sorted.statistics.splits, 0);
-    EXPECT_EQ(sorted.statistics.moves, 0);
-    int covered = 0;
-    for (const int face : painted(scene, sorted, 16, 16)) {
-      EXPECT_TRUE(face == kNothing || face == 1'999);
-      covered += face != kNothing;
-    }
-    EXPECT_GT(covered, 0);
-  }
-}
-
 TEST(DepthSortExtremes, NothingToPaint) {
   for (const bool textbook : {false, true}) {
     const SortedScene sorted = depthSort({}, {5, 5, textbook});

@@ -127,31 +127,6 @@ TEST(ZBuffer, KeepsTheLastFaceOfTheLargestLevel) {
   EXPECT_GT(fought[1], fought[2]);
 }
 
-// Two parallel sheets less than a quantum of 16 bits apart. If the farther one comes later, 16 bits show it
-// everywhere, 24 and 32 bits nowhere; if it comes first, all are right.
-TEST(ZBuffer, SixteenBitsFightWhereTwentyFourDoNot) {
-  constexpr int kSize = 16;
-  const int step = (1 << 30) / 65535;  // a quantum of 16 bits, rounded down
-  // The level's middle: k quanta. Both sheets lie within half a quantum of it.
-  const int near = 20'000 * step + 20'000 * ((1 << 30) % 65535) / 65535 + step / 4, far = near - step / 2;
-  for (const bool farLater : {true, false}) {
-    SnappedScene scene;
-    const auto sheet = [&](int z) {
-      return std::vector<glm::ivec3>{
-          {0, 0, z}, {0, kSize * kGrid, z}, {kSize * kGrid, kSize * kGrid, z}, {kSize * kGrid, 0, z}};
-    };
-    ASSERT_TRUE(addFace(scene, sheet(farLater ? near : far)));
-    ASSERT_TRUE(addFace(scene, sheet(farLater ? far : near)));
-    const int nearFace = farLater ? 0 : 1;
-    for (const int bits : {16, 24, 32}) {
-      const std::vector<int> shown = zBuffer(scene, viewOf(kSize), bits, kSize, kSize).faces;
-      const int wrong = static_cast<int>(std::ranges::count(shown, 1 - nearFace));
-      EXPECT_EQ(wrong, farLater && bits == 16 ? kSize * kSize : 0) << bits;
-      EXPECT_EQ(std::ranges::count(shown, nearFace) + wrong, kSize * kSize);
-    }
-  }
-}
-
 // Of copies of a face the last is seen. A face on the back plane covers the ground, and one on the front
 // plane has the last level of every size: nothing overflows.
 TEST(ZBuffer, TiesAndEnds) {
