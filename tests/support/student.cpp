@@ -80,18 +80,19 @@ class Drawing {
     std::swap(r.cell[a], r.cell[b]), std::swap(r.red[a], r.red[b]);
   }
 
-  Triple rawNormal(int f) const {  // the sum of the cross products of a fan of triangles
+  /// The sum of the cross products of a fan of triangles; with the mistakes, or without.
+  Triple rawNormal(int f, bool mistaken) const {
     Triple sum{};
     const auto& face = w_.faces[f];
     for (std::size_t k = 1; k + 1 < face.size(); ++k) {
-      const Triple a = corner(face[0]), b = corner(face[k]), c = corner(face[k + 1]);
-      sum = plus(sum, crossOf(minus(b, a), minus(c, a)));
-      if (has("three-corners")) break;
+      const Triple a = corner(face[0], mistaken);
+      sum = plus(sum, crossOf(minus(corner(face[k], mistaken), a), minus(corner(face[k + 1], mistaken), a)));
+      if (mistaken && has("three-corners")) break;
     }
     return sum;
   }
-  Triple corner(int k) const {
-    if (!has("N-after-projection")) return w_.points[k];
+  Triple corner(int k, bool mistaken) const {
+    if (!mistaken || !has("N-after-projection")) return w_.points[k];
     const double aspect = double(p_.width) / p_.height;
     return {seen_[k][0] / aspect, seen_[k][1], -seen_[k][2]};
   }
@@ -102,9 +103,9 @@ class Drawing {
     std::vector<int> counts(w_.points.size());
     at_.resize(w_.points.size());
     for (int f = 0; f < faces(); ++f) {
-      Triple N = rawNormal(f);
-      const Triple world = rawWorld(f);
+      Triple N = rawNormal(f, true);
       const auto& face = w_.faces[f];
+      const Triple world = rawNormal(f, false);
       back_[f] = dotOf(world, minus(w_.eye, w_.points[face[0]])) < 0;
       if (!has("N-not-unit")) N = unitOf(N);
       if (has("N-in-view-coords")) N = {dotOf(N, u_), dotOf(N, v_), dotOf(N, n_)};
@@ -271,7 +272,7 @@ class Drawing {
     if (!has("first-corner") && !has("mean-of-corners") && face.size() > 3) {
       Triple sum{};
       double weight = 0;
-      const Triple a = w_.points[face[0]], N = rawWorld(f);
+      const Triple a = w_.points[face[0]], N = rawNormal(f, false);
       for (std::size_t k = 1; k + 1 < face.size(); ++k) {
         const Triple b = w_.points[face[k]], c = w_.points[face[k + 1]];
         const double area = dotOf(crossOf(minus(b, a), minus(c, a)), N);
@@ -281,15 +282,6 @@ class Drawing {
     }
     return lit(P, times(sideOf(f), normal_[f]), w_.surfaces[f]);
   }
-  Triple rawWorld(int f) const {
-    Triple sum{};
-    const auto& face = w_.faces[f];
-    for (std::size_t k = 1; k + 1 < face.size(); ++k)
-      sum = plus(sum, crossOf(minus(w_.points[face[k]], w_.points[face[0]]),
-                              minus(w_.points[face[k + 1]], w_.points[face[0]])));
-    return sum;
-  }
-
   double vertexI(int f, int k) const {
     if (has("gouraud-averages-faces")) {
       double sum = 0;

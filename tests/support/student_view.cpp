@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
 
 namespace student {
 
@@ -9,47 +12,25 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-using Quad = std::array<double, 4>;
-struct Matrix {
-  double m[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
-};
-Matrix operator*(const Matrix& a, const Matrix& b) {
-  Matrix c;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) {
-      c.m[i][j] = 0;
-      for (int k = 0; k < 4; ++k) c.m[i][j] += a.m[i][k] * b.m[k][j];
-    }
-  return c;
-}
-Matrix transposed(const Matrix& a) {
-  Matrix t;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) t.m[i][j] = a.m[j][i];
-  return t;
-}
-Quad operator*(const Matrix& a, const Quad& p) {
-  Quad q{};
-  for (int i = 0; i < 4; ++i)
-    for (int k = 0; k < 4; ++k) q[i] += a.m[i][k] * p[k];
-  return q;
-}
+using Quad = glm::dvec4;
+using Matrix = glm::dmat4;  // by columns
+
 Matrix translation(const Triple& by) {
-  Matrix t;
-  for (int k = 0; k < 3; ++k) t.m[k][3] = by[k];
+  Matrix t{1};
+  for (int k = 0; k < 3; ++k) t[3][k] = by[k];
   return t;
 }
 Matrix axes(const Triple& u, const Triple& v, const Triple& n) {
-  Matrix r;
-  for (int k = 0; k < 3; ++k) r.m[0][k] = u[k], r.m[1][k] = v[k], r.m[2][k] = n[k];
+  Matrix r{1};
+  for (int k = 0; k < 3; ++k) r[k][0] = u[k], r[k][1] = v[k], r[k][2] = n[k];
   return r;
 }
 /// About x (0), y (1) or z (2).
 Matrix rotation(int axis, double angle) {
-  Matrix r;
+  Matrix r{1};
   const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-  r.m[a][a] = r.m[b][b] = std::cos(angle);
-  r.m[a][b] = -std::sin(angle), r.m[b][a] = std::sin(angle);
+  r[a][a] = r[b][b] = std::cos(angle);
+  r[b][a] = -std::sin(angle), r[a][b] = std::sin(angle);
   return r;
 }
 Triple negative(const Triple& a) { return {-a[0], -a[1], -a[2]}; }
@@ -73,9 +54,9 @@ struct Viewing {
     if (has("v-is-VUP")) v = unit(w.up);
     if (has("u-left-handed")) u = negative(u);
     R = axes(u, v, n);
-    if (has("R-transposed")) R = transposed(R);
-    const double ay = std::asin(R.m[0][2]), ax = std::atan2(-R.m[1][2], R.m[2][2]),
-                 az = std::atan2(-R.m[0][1], R.m[0][0]);
+    if (has("R-transposed")) R = transpose(R);
+    const double ay = std::asin(R[2][0]), ax = std::atan2(-R[2][1], R[2][2]),
+                 az = std::atan2(-R[1][0], R[0][0]);
     const auto turn = [](double x, double y, double z) {
       return rotation(0, x) * rotation(1, y) * rotation(2, z);
     };
@@ -85,7 +66,7 @@ struct Viewing {
     if (has("R-wrong-axis")) R = rotation(0, ay) * rotation(1, ax) * rotation(2, az);
     Matrix view = R * translation(negative(eye));
     if (has("view-T-after-R")) view = translation(negative(eye)) * R;
-    if (has("view-transposed")) view = transposed(view);
+    if (has("view-transposed")) view = transpose(view);
     const double aspect = double(p.width) / p.height;
     double tangent = std::tan(w.fov / 2 * kPi / 180), wide = aspect;
     if (has("fov-in-degrees")) tangent = std::tan(w.fov / 2);
@@ -98,43 +79,43 @@ struct Viewing {
     const double half = std::tan(w.fov / 2 * kPi / 180);
     if (!has("shear-forgotten") && !has("window-centre-forgotten")) {
       const double sign = has("shear-negated") ? -1 : 1;
-      SH.m[0][2] = sign * w.shift[0] * half, SH.m[1][2] = sign * w.shift[1] * half;
+      SH[2][0] = sign * w.shift[0] * half, SH[2][1] = sign * w.shift[1] * half;
     }
     const double B = w.back;
-    S.m[0][0] = 1 / (high * wide * B), S.m[1][1] = 1 / (high * B), S.m[2][2] = 1 / B;
-    if (has("flip-y") || has("turned-180")) S.m[1][1] *= -1;
-    if (has("flip-x") || has("turned-180")) S.m[0][0] *= -1;
-    if (has("opengl")) S.m[0][0] *= B, S.m[1][1] *= B;  // w is the distance itself
+    S[0][0] = 1 / (high * wide * B), S[1][1] = 1 / (high * B), S[2][2] = 1 / B;
+    if (has("flip-y") || has("turned-180")) S[1][1] *= -1;
+    if (has("flip-x") || has("turned-180")) S[0][0] *= -1;
+    if (has("opengl")) S[0][0] *= B, S[1][1] *= B;  // w is the distance itself
     const double least = w.front / B;
-    Matrix M;
-    M.m[2][2] = 1 / (1 - least), M.m[2][3] = least / (1 - least), M.m[3][2] = -1, M.m[3][3] = 0;
+    Matrix M{1};
+    M[2][2] = 1 / (1 - least), M[3][2] = least / (1 - least), M[2][3] = -1, M[3][3] = 0;
     all = M * S * SH * view;
     if (has("view-S-first")) all = M * SH * view * S;
-    if (has("rows-for-columns")) all = transposed(all);
+    if (has("rows-for-columns")) all = transpose(all);
   }
   [[nodiscard]] bool has(const char* key) const { return program.mistake == key || program.variant == key; }
 
   const World& world;
   const Program& program;
-  Matrix R, SH, S, all;
+  Matrix R{1}, SH{1}, S{1}, all{1};
 };
 
 }  // namespace
 
 Triple normalInView(const World& world, const Program& program, const Triple& N) {
   const Viewing view{world, program};
-  const Matrix back = transposed(view.R), linear = view.S * view.SH;
+  const Matrix back = transpose(view.R), linear = view.S * view.SH;
   if (program.mistake == "N-not-turned") return times3(back, N);
   if (program.mistake == "N-by-M") return unit(times3(back, times3(linear, times3(view.R, N))));
   if (program.mistake != "N-scaled") return N;
   // The inverse of the transpose, of a matrix whose last row is (0, 0, s).
   const Triple m = times3(view.R, N);
-  const double x = m[0] / linear.m[0][0], y = m[1] / linear.m[1][1];
-  return times3(back, {x, y, (m[2] - x * linear.m[0][2] - y * linear.m[1][2]) / linear.m[2][2]});
+  const double x = m[0] / linear[0][0], y = m[1] / linear[1][1];
+  return times3(back, {x, y, (m[2] - x * linear[2][0] - y * linear[2][1]) / linear[2][2]});
 }
 
 Triple lightInView(const World& world, const Program& program, const Triple& light, const Triple& P) {
-  Triple L = times3(transposed(Viewing{world, program}.R), light);
+  Triple L = times3(transpose(Viewing{world, program}.R), light);
   if (world.lamp)
     for (int k = 0; k < 3; ++k) L[k] -= P[k] - world.eye[k];
   return L;
