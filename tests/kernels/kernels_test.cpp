@@ -69,6 +69,10 @@ struct Worst {
   Numbers input;
 };
 
+/// Begins with the given inputs, and goes on from the worst that it knows: it changes a few numbers, in their
+/// encodings by powers of two, or to numbers that are hard for most kernels, or to those of another bad
+/// input; or it steps along one number for as long as this makes the error larger. The same seed finds the
+/// same.
 class Search {
  public:
   Search(const Kernel& kernel, const RoundingMode& mode, int evaluations, std::uint64_t seed)
@@ -188,15 +192,6 @@ class Search {
   std::vector<Seen> kept_;  ///< the worst first
 };
 
-/// Begins with the given inputs, and goes on from the worst that it knows: it changes a few numbers, in their
-/// encodings by powers of two, or to numbers that are hard for most kernels, or to those of another bad
-/// input; or it steps along one number for as long as this makes the error larger. The same seed finds the
-/// same.
-Worst searchWorst(const Kernel& kernel, const std::vector<Numbers>& start, const RoundingMode& mode,
-                  int evaluations, std::uint64_t seed) {
-  return Search{kernel, mode, evaluations, seed}.worst(start);
-}
-
 /// ---- The kernels and their worst inputs
 
 const std::vector<Kernel>& kernels() {
@@ -225,7 +220,7 @@ const std::vector<Worst>& worstInputs(const std::string& kernel) {
 Worst worstOf(const Kernel& kernel, const RoundingMode& mode, int evaluations, std::uint64_t seed) {
   std::vector<Numbers> start;
   for (const Worst& row : worstInputs(kernel.name)) start.push_back(row.input);
-  return searchWorst(kernel, start, mode, std::max(20, static_cast<int>(evaluations * kernel.effort)), seed);
+  return Search{kernel, mode, std::max(20, static_cast<int>(evaluations * kernel.effort)), seed}.worst(start);
 }
 
 std::string testName(const testing::TestParamInfo<std::size_t>& info) {
@@ -284,13 +279,13 @@ TEST(KernelSearch, FindsTheWorst) {
                       nullptr,  same, [](In in, In) { return squareError(in[0]); }};
   double worst = 0;
   for (int k = 0; k <= 1 << 12; ++k) worst = std::max(worst, squareError(1 + k * 0x1p-23));
-  EXPECT_EQ(searchWorst(square, {}, kRoundingModes[0], 30'000, 1).share, worst);
+  EXPECT_EQ((Search{square, kRoundingModes[0], 30'000, 1}.worst({}).share), worst);
 
   const Kernel hill{"hill", "", doubles(-1e300, 1e300), nullptr, same, [](In in, In) {
                       const Coordinate c{};
                       return 1 / (1 + std::abs(double(c.encode(in[0]) - c.encode(0x1.23456789abcdep-345))));
                     }};
-  EXPECT_EQ(searchWorst(hill, {}, kRoundingModes[0], 5'000, 1).share, 1.0);
+  EXPECT_EQ((Search{hill, kRoundingModes[0], 5'000, 1}.worst({}).share), 1.0);
 }
 
 // As sinCosDegrees().sin. Broken: in the last millionth of a degree before 45 it is as far off as if the
