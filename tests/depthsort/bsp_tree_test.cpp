@@ -96,19 +96,6 @@ TEST(BspTree, DegenerateScenes) {
   EXPECT_EQ(sorted.statistics.bytes, 1000 * std::int64_t{sizeof(Fragment)} + std::int64_t{sizeof(BspNode)});
 }
 
-// Of three faces one behind the other the tree is walked from the back, whatever the order of the scene.
-TEST(BspTree, IsWalkedBackToFront) {
-  std::array<int, 3> depths{10, 20, 30};
-  do {
-    SnappedScene scene;
-    for (const int z : depths) ASSERT_TRUE(addFace(scene, {{0, 0, z}, {0, 9 * kGrid, z}, {9 * kGrid, 0, z}}));
-    std::vector<int> walked;
-    for (const Fragment& f : backToFront(bspTree(scene, {.width = 8, .height = 8})).fragments)
-      walked.push_back(depths[f.face]);
-    EXPECT_EQ(walked, (std::vector{10, 20, 30}));
-  } while (std::ranges::next_permutation(depths).found);
-}
-
 // Two faces that cross are cut once, and a scene whose polygons cross each other's planes again and again
 // ends with an error instead of filling the memory.
 TEST(BspTree, HasAtMostSoManyPieces) {

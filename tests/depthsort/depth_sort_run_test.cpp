@@ -379,16 +379,6 @@ TEST(DepthSortExtremes, ChainOfAHundredThousand) {
   expectOracle(scene, sorted, width, height);
 }
 
-TEST(DepthSortExtremes, ChainInEveryRun) {
-  const SnappedScene scene = shingles(2'000);
-  for (const bool textbook : {false, true})
-    for (const bool grid : {false, true}) {
-      const SortedScene sorted = depthSort(scene, {2 * kPerRow + 4, 40, textbook, grid});
-      EXPECT_EQ(sorted.statistics.deepest, 2'000);
-      expectOracle(scene, sorted, 2 * kPerRow + 4, 40);
-    }
-}
-
 TEST(DepthSortExtremes, NothingToPaint) {
   for (const bool textbook : {false, true}) {
     const SortedScene sorted = depthSort({}, {5, 5, textbook});

@@ -273,22 +273,6 @@ TEST(FreePolygons, TwoSquares) {
   EXPECT_EQ(freeOf(inOnePlane), (std::vector{false, true}));
 }
 
-// Where the farthest z of the later one is the nearest z of the other, they may touch there: a test decides.
-// This holds for squares and for the triangles that are half of them.
-TEST(FreePolygons, OneStepParts) {
-  for (const int corners : {3, 4})
-    for (const int step : {-1, 0, 1}) {
-      SCOPED_TRACE(testing::Message() << corners << " corners, " << step << " steps apart");
-      SnappedScene scene;
-      for (int k = 0; k < 2; ++k) addSquare(scene, 4, 7, 100), scene.faces[k].count = corners;
-      List list = listOf(scene);
-      list.polygons[0].extents.zFar = 50, list.polygons[0].extents.zNear = 100;
-      list.polygons[1].extents.zFar = 100 + step, list.polygons[1].extents.zNear = 150;
-      EXPECT_EQ(freePolygons(scene, list.polygons, list.byDepth, kSize, kSize),
-                (std::vector{step > 0, true}));
-    }
-}
-
 // A few large polygons are compared at once.
 TEST(FreePolygons, LargeOnesAreNotLookedAt) {
   SnappedScene scene;
