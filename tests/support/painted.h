@@ -25,22 +25,14 @@ namespace xnewell {
 
 /// Finds where a picture of a model may differ from the oracle's, which takes the rounded scene as exact.
 
-/// The z of a face at the centre of sample k.
-inline double depthOf(const SnappedScene& scene, const SnappedFace& face, int k, int width) {
-  return depthAt(scene.planes[face.plane], std::int64_t{k % width} * kGrid + kGrid / 2,
-                 std::int64_t{k / width} * kGrid + kGrid / 2);
-}
-
 /// True if face p may touch the nearer face q at sample k, as far as the model tells: they lie in two planes,
 /// and the plane of q's own corners is not nearer than that of p's by more than the rounding of both.
 inline bool mayTouch(const SnappedScene& scene, int p, int q, int k, int width) {
   const SnappedFace &P = scene.faces[p], &Q = scene.faces[q];
-  const double zP = depthOf(scene, P, k, width), zQ = depthOf(scene, Q, k, width);
-  const auto ahead = [&](const SnappedFace& face) {
-    const std::int64_t x = std::int64_t{k % width} * kGrid + kGrid / 2,
-                       y = std::int64_t{k / width} * kGrid + kGrid / 2;
-    return scene.planes.ahead(face.part).at(x, y);
-  };
+  const std::int64_t x = std::int64_t{k % width} * kGrid + kGrid / 2,
+                     y = std::int64_t{k / width} * kGrid + kGrid / 2;
+  const double zP = depthAt(scene.planes[P.plane], x, y), zQ = depthAt(scene.planes[Q.plane], x, y);
+  const auto ahead = [&](const SnappedFace& face) { return scene.planes.ahead(face.part).at(x, y); };
   return P.plane != Q.plane &&
          zQ + ahead(Q) - zP - ahead(P) <= scene.doubtOf(P).at(zP) + scene.doubtOf(Q).at(zQ);
 }
