@@ -174,14 +174,6 @@ TEST(Obj, TakesColorsFromItsLibraries) {
   EXPECT_EQ(mesh.materials[3].diffuse, glm::dvec3(1.0));
 }
 
-// An error in a library is reported with the library's name.
-TEST(Obj, NamesTheLibraryThatIsWrong) {
-  const TemporaryFolder folder;
-  const std::string library = folder.write("a.mtl", "newmtl red\nKd 1 0 x\n");
-  const std::filesystem::path file = folder.write("a.obj", "mtllib a.mtl\n");
-  EXPECT_EQ(complaint([&] { return readObj(file); }), library + ":2: malformed number 'x'");
-}
-
 // The rounding is half a unit of the last decimal of the coordinates with the most decimals. Weights,
 // colours, texture coordinates and normals do not count. 0.5 * 10^-d is the nearest double up to d = 22,
 // where 10^d is exact.
@@ -237,11 +229,6 @@ TEST(Obj, TakesHighlightsAndScalesOfMaps) {
   EXPECT_THAT(uv, ElementsAre(glm::dvec2{0, 0}, glm::dvec2{1, 0}, glm::dvec2{1, 1}, glm::dvec2{0.25, 0},
                               glm::dvec2{2.25, 0}, glm::dvec2{2.25, 4}, none, glm::dvec2{2.25, 0},
                               glm::dvec2{2.25, 4}, glm::dvec2{0, 0}, glm::dvec2{1, 0}, glm::dvec2{1, 1}));
-  folder.write("a.mtl", "newmtl m\nmap_Kd -s 1e300 t.png\n");
-  const std::filesystem::path far =
-      folder.write("far.obj", afterThreeVertices("mtllib a.mtl\nusemtl m\nvt 1e300\nf 1/1 2/1 3/1\n"));
-  EXPECT_EQ(complaint([&] { return readObj(far); }),
-            folder.file("a.mtl") + ":2: map_Kd moves the texture out of all numbers");
 }
 
 /// ---- MTL

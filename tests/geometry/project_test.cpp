@@ -89,6 +89,30 @@ TEST(Project, StaysInTheGuardBand) {
   EXPECT_GT(cut, 1'000u);
 }
 
+// A polygon with a million corners keeps its area: rounding its corners to the grid moves the outline by at
+// most one step. Every part of it is convex and has a positive area.
+TEST(Project, MillionCorners) {
+  Mesh m;
+  constexpr int kCorners = 1'000'000;
+  std::vector<int> corners(kCorners);
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kCorners;
+    m.points.push_back({0.8 * std::cos(angle), 0.8 * std::sin(angle), 0});
+    corners[i] = i;
+  }
+  m.addFace(corners, 0);
+  const SnappedScene s = projected(m, fromAbove(Projection::Parallel));
+  double area = 0;
+  for (const SnappedFace& f : s.faces) {
+    ASSERT_EQ(f.number, 0);
+    const std::int64_t twice = doubleArea(&s.vertices[f.first], f.count);
+    ASSERT_GT(twice, 0);
+    area += static_cast<double>(twice) / 2 / kGrid / kGrid;
+  }
+  const double radius = 0.8 * 256, perimeter = 2 * std::numbers::pi * radius;
+  EXPECT_NEAR(area, std::numbers::pi * radius * radius, 2 * perimeter / kGrid);
+}
+
 // A point very near the eye makes z steps coarser than those of x and y. z never needs more than 30 bits.
 TEST(Project, DepthKeepsItsBits) {
   ViewSpec view = fromAbove(Projection::Perspective);

@@ -279,21 +279,6 @@ TEST(ReadTextFile, GivesEveryByteBack) {
   }
 }
 
-// Failures of the system are reported in its words, with the name as the user gave it.
-TEST(ReadTextFile, SaysWhatTheSystemSays) {
-  const TemporaryFolder folder;
-  EXPECT_EQ(complaint([] { return readTextFile("no/such/../teapot.obj"); }),
-            "no/such/../teapot.obj: No such file or directory");
-  EXPECT_EQ(complaint([] { return readTextFile(""); }), ": No such file or directory");
-  EXPECT_EQ(complaint([&] { return readTextFile(folder.path()); }),
-            folder.path().string() + ": Is a directory");
-  const std::filesystem::path secret = folder.write("secret.obj", "v 0 0 0");
-  std::filesystem::permissions(secret, std::filesystem::perms::none);
-  const std::string refusal =
-      ::geteuid() == 0 ? "" : secret.string() + ": Permission denied";  // root may read everything
-  EXPECT_EQ(complaint([&] { return readTextFile(secret); }), refusal);
-}
-
 // A pipe, to which nobody may write, and a device, which may have no end, are refused at once.
 TEST(ReadTextFile, ReadsRegularFilesOnly) {
   const TemporaryFolder folder;
@@ -401,6 +386,21 @@ TEST(OutputFile, OfAFullDiskIsAsItWas) {
   EXPECT_EQ(contents(old), "before");
   EXPECT_FALSE(std::filesystem::exists(fresh));
   EXPECT_EQ(folder.entries(), 1);
+}
+
+// A file without write permission is not replaced, though its folder would allow it.
+TEST(OutputFile, RespectsPermissions) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("kept", "before");
+  std::filesystem::permissions(file, std::filesystem::perms{0444});
+  std::filesystem::permissions(folder.path(), std::filesystem::perms{0777});
+  // Root may write everywhere, so the test becomes another user for a while.
+  const uid_t user = ::geteuid(), nobody = 65534;
+  if (user == 0 && ::seteuid(nobody) != 0) GTEST_SKIP() << "root cannot be anybody else here";
+  const int refusal = failure(file, "x");
+  EXPECT_EQ(::seteuid(user), 0);
+  EXPECT_EQ(refusal, EACCES);
+  EXPECT_EQ(contents(file), "before");
 }
 
 // A symbolic link stays a link, and the file at its end changes. A link may also lead to a file that does not
