@@ -341,6 +341,41 @@ double judgeLookUp(In in, In out) {
   return toDouble(largerOf(0, largerOf(big(out[0]) - place, place - big(out[0]) - 1)) / 0x1p-24);
 }
 
+/// Phong's sum at a pixel with far lights, where N, L and V are the same at all pixels: the shortest way
+/// through FarLightsRow. In an input: n, N, L, V.
+Numbers runPhong(In in) {
+  using Real = Lanes<float, 8>;
+  const Illumination user{.Ia = 0.25,
+                          .Ip = 0.75,
+                          .ka = 0.5,
+                          .kd = 0.5,
+                          .ks = 0.5,
+                          .n = whole(in[0]),
+                          .light = glmOf(&in[4]),
+                          .constantV = true};
+  const Lighting lighting = resolved({}, user, {0, 0, 0}, glmOf(&in[7]));
+  PhongTriangle t;
+  t.lighting = &lighting, t.material = &lighting.materials[0];
+  for (int axis = 0; axis < 3; ++axis) t.N[axis] = {in[1 + axis], 0, 0};
+  const TexelRow<Real> texels{t, 0};
+  double sum = 0;
+  withRow<Real>(t, 0, [&](auto row) {
+    const Real along{};
+    row.evaluate(&along, 1, texels);
+    sum = row.sum(0)[0];
+  });
+  return {sum};
+}
+double judgePhong(In in, In out) {
+  const BigVec N = unitOf(bigVec(&in[1])), L = unitOf(bigVec(&in[4])), V = unitOf(bigVec(&in[7]));
+  const int n = whole(in[0]);
+  const Big NdotL = dot(N, L), RdotV = 2 * NdotL * dot(N, V) - dot(L, V);
+  if (abs(NdotL) < 0x1p-20) return 0.0;  // the highlight begins at once where N.L = 0
+  Big exact = 0.125;
+  if (NdotL > 0) exact += 0.375 * NdotL + 0.375 * bigPower(largerOf(0, RdotV), n);
+  return shareOf(out[0], exact, Big{(8 + 32 * n) * kSingle + 0x1p-40});
+}
+
 // Triangles on the screen. In an input: the corners' x and y, then where in it: two shares of its edges.
 // Prepared: the triangle, turned counter-clockwise, then the pixel whose centre is in it; the rest of the
 // input.
@@ -587,6 +622,12 @@ std::vector<Kernel> shadingKernels() {
        runCosine<double, Form::HalfVector>, judgeCosine<double, Form::HalfVector>},
       {"N.H, single precision", "reflect.h: 2^-20 where |L + V| > 2^-50", 9 * part, preparedVectors<float>,
        runCosine<float, Form::HalfVector>, judgeCosine<float, Form::HalfVector>},
+      {"Phong's sum, single precision", "evaluated.h: (8 + 32 n) 2^-24, and 2^-40, n <= 1,024",
+       integers(1, 1024) + 9 * part,
+       [](In in) {
+         return withUnits(in, {1, 4, 7});
+       },
+       runPhong, judgePhong},
       {"environment map, rotated", "environment.h: 2^-24 + n 2^-43, where |x, y| <= 1",
        2 * integers(0, 255) + integers(0, 1) + integers(0, 1'000'000) + share + 3 * part, preparedMap, runMap,
        judgeMap, 2, 0.01},
