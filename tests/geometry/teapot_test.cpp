@@ -173,41 +173,6 @@ TEST(Bezier, NegativeZeroIsWelded) {
   EXPECT_EQ(tessellate(std::array{flatPatch(), negative}, 3).points.size(), 16u);
 }
 
-// Points and normals are as near to de Casteljau's as bezier.h claims, at any scale and in narrow patches.
-TEST(Bezier, PointsAndNormalsAreAsGoodAsClaimed) {
-  int compared = 0;
-  for (unsigned seed = 0; seed < 20'000; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 rng{seed};
-    std::uniform_real_distribution<double> share{0.0, 1.0};
-    BezierPatch patch = randomPatch(rng);
-    if (seed % 2)
-      for (int k = 4; k < 16; ++k) patch.p[k] = patch.p[k % 4] + std::exp2(-20 * share(rng)) * patch.p[k];
-    const double scale = std::exp2(static_cast<int>(rng() % 300) - 150);
-    Extended most = 0, longestU = 0, longestV = 0;
-    for (glm::dvec3& p : patch.p) {
-      p *= scale;
-      for (int axis = 0; axis < 3; ++axis) most = std::max(most, Extended{std::abs(p[axis])});
-    }
-    for (int k = 0; k < 12; ++k) {
-      const int i = k / 4, j = k % 4;
-      longestU = std::max(longestU, glm::length(Wide{patch.p[4 * i + 4 + j]} - Wide{patch.p[4 * i + j]}));
-      longestV = std::max(longestV, glm::length(Wide{patch.p[4 * j + i + 1]} - Wide{patch.p[4 * j + i]}));
-    }
-    const double u = share(rng), v = seed % 5 ? share(rng) : 0.0;
-    const Oracle o = oracle(patch, u, v);
-    const Wide off = Wide{point(patch, u, v)} - o.point;
-    for (int axis = 0; axis < 3; ++axis) ASSERT_LE(std::abs(static_cast<double>(off[axis] / most)), 0x1p-49);
-    const Wide product = glm::cross(o.du, o.dv) / Extended{9.0};
-    const Extended length = glm::length(product), longest = longestU * longestV;
-    if (length <= 0x1p-39 * longest) continue;  // it may vanish, and a limit take its place
-    ++compared;
-    ASSERT_LE(static_cast<double>(glm::length(Wide{normal(patch, u, v)} * length - product) / longest),
-              0x1p-47);
-  }
-  EXPECT_GT(compared, 19'000);
-}
-
 // Where du x dv vanishes, the normal is its limit. It agrees with the normal of 64 bits a step h towards the
 // middle of the patch, up to the O(h) that the normal turns on the way.
 TEST(Bezier, NormalIsTheLimitAtDegeneratePlaces) {

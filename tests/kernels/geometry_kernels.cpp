@@ -2,11 +2,13 @@
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
+#include "depthsort/region.h"
 #include "geometry/exact/int128.h"
 #include "geometry/exact/plane.h"
 #include "geometry/exact/scale.h"
 #include "geometry/exact/trig.h"
 #include "geometry/exact/two_doubles.h"
+#include "geometry/model/bezier.h"
 #include "geometry/model/coplanar.h"
 #include "geometry/view/clip.h"
 #include "geometry/view/plane_record.h"
@@ -114,6 +116,48 @@ double judgeNewell(In in, In out) {
   }
   const Big bound = n * (n + 10) * 0x1p-52 * extent * extent;
   return shareOf(out.data(), sum, {bound, bound, bound});
+}
+
+/// The cubic Bernstein polynomials, or those of degree 2, at t.
+std::array<Big, 4> bernstein(int degree, const Big& t) {
+  const Big s = 1 - t;
+  if (degree == 2) return {s * s, 2 * s * t, t * t, Big{0}};
+  return {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
+}
+/// In an input: the x of 16 points, or their coordinates; then u and v.
+BezierPatch patchOf(In in) {
+  BezierPatch patch;
+  for (std::size_t k = 0; k < 16; ++k)
+    patch.p[k] = in.size() == 18 ? glm::dvec3{in[k], 0, 0} : glmOf(&in[3 * k]);
+  return patch;
+}
+double judgeBezierPoint(In in, In out) {
+  const auto u = bernstein(3, big(in[16])), v = bernstein(3, big(in[17]));
+  Big sum = 0, most = 0;
+  for (int k = 0; k < 16; ++k) {
+    sum += u[k / 4] * v[k % 4] * big(in[k]);
+    most = largerOf(most, abs(big(in[k])));
+  }
+  return shareOf(out[0], sum, most * 0x1p-49 + 0x1p-1070);
+}
+double judgeBezierNormal(In in, In out) {
+  const auto at = [&](int i, int j) { return bigVec(&in[3 * (4 * i + j)]); };
+  const auto u2 = bernstein(2, big(in[48])), u3 = bernstein(3, big(in[48]));
+  const auto v2 = bernstein(2, big(in[49])), v3 = bernstein(3, big(in[49]));
+  BigVec du{0, 0, 0}, dv{0, 0, 0};
+  Big longestU = 0, longestV = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 4; ++j) {
+      const BigVec alongU = at(i + 1, j) - at(i, j), alongV = at(j, i + 1) - at(j, i);
+      du = du + alongU * (u2[i] * v3[j]);
+      dv = dv + alongV * (v2[i] * u3[j]);
+      longestU = largerOf(longestU, lengthOf(alongU));
+      longestV = largerOf(longestV, lengthOf(alongV));
+    }
+  const BigVec product = cross(du, dv);
+  const Big length = lengthOf(product), longest = longestU * longestV;
+  if (length <= 0x1p-39 * longest) return 0.0;  // it may vanish, and a limit take its place
+  return toDouble(lengthOf(bigVec(out.data()) * length - product) / (0x1p-47 * longest));
 }
 
 // Views. In an input of ranges:
@@ -657,6 +701,24 @@ double judgeTouch(In in, In out) {
   return (out[0] != 0) == touches ? 0.1 / (1 + share) : share;
 }
 
+/// a, b, c of a cut line. The larger of |a|, |b| is scaled to 1, so the exact line is scaled by its own.
+Numbers runCutLine(In in) {
+  SnappedScene scene;
+  for (const std::size_t k : {0u, 9u}) scene.planes.add(planeOf(triangleAt(&in[k])));
+  const Line line = Regions{scene}.cut(0, 1);
+  return {line.a, line.b, line.c};
+}
+double judgeCutLine(In in, In out) {
+  const WholeLine l{ExactPlane{in.data()}, ExactPlane{&in[9]}};
+  const Big most = largerOf(abs(Big{l.a}), abs(Big{l.b}));
+  if (most == 0) {  // parallel: c has the sign everywhere
+    const int sign = (out[2] > 0) - (out[2] < 0);
+    return out[0] == 0 && out[1] == 0 && sign == l.c.sign() ? 0.0 : kWrong;
+  }
+  const BigVec exact = BigVec{Big{l.a}, Big{l.b}, Big{l.c}} * (1 / most);
+  return shareOf(out.data(), exact, absOf(exact) * Big{6 * kU});
+}
+
 }  // namespace
 
 std::vector<Kernel> geometryKernels() {
@@ -693,6 +755,9 @@ std::vector<Kernel> geometryKernels() {
          const Big least = 0x1p-1073;
          return shareOf(&out[0], exact, absOf(exact) * 0x1p-51 + BigVec{least, least, least});
        }},
+      {"128 bits to double", "int128.h: 2^-52 of it", digits(), nullptr,
+       [](In in) { return Numbers{approximately(int128Of(in))}; },
+       [](In in, In out) { return shareOf(out[0], bigOf(in), 0x1p-52 * abs(bigOf(in))); }},
       {"128 bits to two doubles", "two_doubles.h: 2^-100 of it", digits(), nullptr,
        [](In in) {
          const TwoDoubles n = twoDoubles(int128Of(in));
@@ -706,6 +771,12 @@ std::vector<Kernel> geometryKernels() {
        9 * doubles(-0x1p400, 0x1p400), notTiny<-400>, runNewell, judgeNewell},
       {"plane: Newell's vector of 4", "plane.h: n (n + 10) 2^-52 E^2, E from the first corner",
        12 * doubles(-0x1p400, 0x1p400), notTiny<-400>, runNewell, judgeNewell},
+      {"Bezier point", "bezier.h: 2^-49 of the largest coordinate, and 2^-1070",
+       16 * doubles(-0x1p1000, 0x1p1000) + 2 * doubles(0, 1), nullptr,
+       [](In in) { return Numbers{point(patchOf(in), in[16], in[17]).x}; }, judgeBezierPoint},
+      {"Bezier normal", "bezier.h: 2^-47 E / |du x dv / 9|, E the product of the longest edges",
+       48 * doubles(-0x1p500, 0x1p500) + 2 * doubles(0, 1), nullptr,
+       [](In in) { return numbersOf(normal(patchOf(in), in[48], in[49])); }, judgeBezierNormal, 2, 0.5},
       {"rotation of the view", "view.h: 2^-48 / sin of the angle of VPN and VUP",
        6 * doubles(-0x1p1000, 0x1p1000),
        // Not where they are parallel: there is a ViewError.
@@ -740,6 +811,8 @@ std::vector<Kernel> geometryKernels() {
        recordInput(2), preparedRecord, runAhead, judgeAhead, 2, 0.2},
       {"whether faces touch", "scene_planes.h: exact beyond 2^-49 of the terms", touchInput(), nullptr,
        runTouch, judgeTouch},
+      {"meeting line of two planes", "region.h: 6 2^-53 of each coefficient", triangles(2), turned<2>,
+       runCutLine, judgeCutLine},
   };
 }
 
