@@ -10,6 +10,7 @@
 #include "geometry/exact/two_doubles.h"
 #include "geometry/model/bezier.h"
 #include "geometry/model/coplanar.h"
+#include "geometry/model/vertex_normals.h"
 #include "geometry/view/clip.h"
 #include "geometry/view/plane_record.h"
 #include "geometry/view/project.h"
@@ -158,6 +159,37 @@ double judgeBezierNormal(In in, In out) {
   const Big length = lengthOf(product), longest = longestU * longestV;
   if (length <= 0x1p-39 * longest) return 0.0;  // it may vanish, and a limit take its place
   return toDouble(lengthOf(bigVec(out.data()) * length - product) / (0x1p-47 * longest));
+}
+
+/// The normal at the apex of a fan of three triangles. In an input: the rule, then apex and four corners.
+constexpr std::array kRules{NormalRule::Sum, NormalRule::Area, NormalRule::Angle};
+Numbers runVertexNormal(In in) {
+  Mesh mesh;
+  for (int k = 1; k < 16; k += 3) mesh.points.push_back(glmOf(&in[k]));
+  for (int k = 1; k < 4; ++k) mesh.addFace(std::array{0, k, k + 1}, 0);
+  const Vertices vertices = smoothVertices(mesh, kRules[static_cast<std::size_t>(in[0])]);
+  return numbersOf(vertices.vertices[vertices.ofCorner[0]].N);
+}
+double judgeVertexNormal(In in, In out) {
+  const NormalRule rule = kRules[static_cast<std::size_t>(in[0])];
+  const BigVec apex = bigVec(&in[1]);
+  BigVec sum{0, 0, 0};
+  Big total = 0, doubt = 0;
+  for (int k = 4; k < 13; k += 3) {
+    const BigVec a = bigVec(&in[k]) - apex, b = bigVec(&in[k + 3]) - apex, v = cross(a, b);
+    const Big area = lengthOf(v), longest = largerOf(dot(a, a), dot(b, b));
+    // Nothing is claimed for faces that are nearly lines, or so small that their area is no number.
+    if (area < longest * 0x1p-30 || longest < 0x1p-900) return 0.0;
+    const Big weight = rule == NormalRule::Sum    ? Big{1}
+                       : rule == NormalRule::Area ? area
+                                                  : Big{atan2(area, dot(a, b))};
+    sum = sum + v * Big{weight / area};
+    total += weight;
+    doubt += weight * longest / area;
+  }
+  const Big length = lengthOf(sum);
+  if (length <= 0x1p-30 * total) return 0.0;
+  return toDouble(lengthOf(bigVec(out.data()) * length - sum) / (0x1p-47 * (total + doubt)));
 }
 
 // Views. In an input of ranges:
@@ -777,6 +809,8 @@ std::vector<Kernel> geometryKernels() {
       {"Bezier normal", "bezier.h: 2^-47 E / |du x dv / 9|, E the product of the longest edges",
        48 * doubles(-0x1p500, 0x1p500) + 2 * doubles(0, 1), nullptr,
        [](In in) { return numbersOf(normal(patchOf(in), in[48], in[49])); }, judgeBezierNormal, 2, 0.5},
+      {"vertex normal of a fan", "vertex_normals.h: 2^-47 (W + sum of w e) / |sum of w N|",
+       integers(0, 2) + 15 * doubles(-0x1p100, 0x1p100), nullptr, runVertexNormal, judgeVertexNormal, 2, 0.5},
       {"rotation of the view", "view.h: 2^-48 / sin of the angle of VPN and VUP",
        6 * doubles(-0x1p1000, 0x1p1000),
        // Not where they are parallel: there is a ViewError.

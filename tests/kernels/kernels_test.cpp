@@ -13,7 +13,6 @@
 #include <sstream>
 #include <string_view>
 
-#include "geometry/exact/trig.h"
 #include "geometry/view/screen_plane.h"
 #include "tests/kernels/search.h"
 
@@ -288,11 +287,27 @@ TEST(KernelSearch, FindsTheWorst) {
   EXPECT_EQ((Search{hill, kRoundingModes[0], 5'000, 1}.worst({}).share), 1.0);
 }
 
-// As sinCosDegrees().sin. Broken: in the last millionth of a degree before 45 it is as far off as if the
-// series had one term with the wrong sign.
+// Three copies of kernels, each broken in one place that random inputs hardly meet: with each of them in the
+// program, the ordinary tests of that kernel still passed. The search finds all three.
+
+// As sinCosDegrees().sin. Broken: one term of the series has the wrong sign in the last millionth of a degree
+// before 45.
 Numbers sineWithAFlippedTerm(In in) {
-  const double left = std::abs(std::remainder(in[0], 90.0)), sine = sinCosDegrees(in[0]).sin;
-  return {left > 45.0 - 1e-6 && left < 45.0 ? sine + 0x1p-36 : sine};
+  const double degrees = in[0], magnitude = std::fmod(std::abs(degrees), 360.0);
+  const int quarter = static_cast<int>(magnitude / 90.0 + 0.5);
+  const double left = magnitude - 90.0 * quarter;
+  const double x = left * (3.14159265358979323846 / 180.0), x2 = x * x;
+  const bool flipped = std::abs(left) > 45.0 - 1e-6 && std::abs(left) < 45.0;
+  double sine = 0.0, cosine = 0.0;
+  for (int k = 17; k >= 3; k -= 2) sine = (1.0 + sine) * (flipped && k == 13 ? x2 : -x2) / (k * (k - 1));
+  for (int k = 18; k >= 2; k -= 2) cosine = (1.0 + cosine) * -x2 / (k * (k - 1));
+  sine = x + x * sine;
+  cosine = 1.0 + cosine;
+  if (std::abs(left) == 30.0) sine = std::copysign(0.5, left);
+  if (std::abs(left) == 45.0) cosine = std::sqrt(0.5), sine = std::copysign(cosine, left);
+  if (quarter % 2 == 1) sine = cosine;
+  if (quarter == 2 || quarter == 3) sine = -sine;
+  return {degrees < 0.0 ? -sine : sine};
 }
 
 // As EdgeWalk::column(), some rows below the first. Broken: x starts 2^-29 below the upper end of its
@@ -308,11 +323,23 @@ Numbers columnWithALargeTolerance(In in) {
   return {static_cast<double>(x >> 47)};
 }
 
-// Two kernels, each broken in one place that random inputs hardly meet: with each of them in the program, the
-// ordinary tests of that kernel still passed. The search finds both.
-TEST(KernelSearch, FindsBrokenKernels) {
+// As point(), in one coordinate. Broken: the last digit of a constant, 3.
+Numbers bezierWithAWrongDigit(In in) {
+  const auto curve = [](const double* p, double t) {
+    constexpr double three = 3.000000000000004;
+    const double s = 1.0 - t;
+    const double b0 = s * s * s, b1 = three * (s * s * t), b2 = three * (t * t * s), b3 = t * t * t;
+    return (b0 * p[0] + b3 * p[3]) + (b1 * p[1] + b2 * p[2]);
+  };
+  std::array<double, 4> rows;
+  for (std::size_t i = 0; i < 4; ++i) rows[i] = curve(&in[4 * i], in[17]);
+  return {curve(rows.data(), in[16])};
+}
+
+TEST(KernelSearch, FindsThreeBrokenKernels) {
   const std::map<std::string, Numbers (*)(In)> broken{{"sine", sineWithAFlippedTerm},
-                                                      {"walk along an edge", columnWithALargeTolerance}};
+                                                      {"walk along an edge", columnWithALargeTolerance},
+                                                      {"Bezier point", bezierWithAWrongDigit}};
   for (const auto& [name, run] : broken) {
     Kernel kernel = *std::ranges::find(kernels(), name, &Kernel::name);
     EXPECT_LE(worstOf(kernel, kRoundingModes[0], 4'000, 1).share, 1.0) << name;
