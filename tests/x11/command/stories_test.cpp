@@ -174,6 +174,10 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
 
   /// Tells these lines; those from `each` to its `end` once for each of the values.
   void tellAll(const std::vector<Line>& lines) {
+    static const std::regex kActs{R"((\$|sh|open|press|click|drag) .*)"},
+        kTellsOfTheLast{
+            R"((out|err|fact|hides|same -|differ -|shows|asks|warns|told|ribbon|view|status|setup)( .*)?)"};
+    bool several = false;  // the line before did more than one thing
     for (auto at = lines.begin(); at != lines.end(); ++at) {
       const std::string line = withNames(at->text, names_);
       if (line.starts_with("each ")) {
@@ -192,7 +196,11 @@ class Story : public CommandTest, public testing::WithParamInterface<std::string
         at = end;
         continue;
       }
-      for (const std::string& one : expanded(line)) {
+      const Strings all = expanded(line);
+      if (several && std::regex_match(line, kTellsOfTheLast))
+        ADD_FAILURE() << GetParam() << ':' << at->number << ": only the last choice is seen: use each";
+      several = all.size() > 1 && std::regex_match(line, kActs);
+      for (const std::string& one : all) {
         SCOPED_TRACE(XNEWELL_STORIES + ('/' + GetParam()) + ".txt:" + std::to_string(at->number) + ": " +
                      one);
         tell(one);
