@@ -152,6 +152,17 @@ TEST(LessonView, AnglesDoNotTellTheOutcome) {
   EXPECT_EQ(told, 2);  // a turn keeps the light
 }
 
+// Esc brings back the picture that the window had before the lesson.
+TEST(LessonView, EscBringsThePictureBack) {
+  ReadyWorkbench window;
+  const IndexImage before = window.aboveStatus();
+  window.does('7');
+  window.does(NamedKey::Return);
+  EXPECT_NE(window.aboveStatus(), before);
+  window.does(NamedKey::Escape);
+  EXPECT_EQ(window.aboveStatus(), before);
+}
+
 // A step that was answered looks as it was left when it is visited again.
 TEST(LessonView, AnAnswerStays) {
   LessonWindow window{"cycles"};

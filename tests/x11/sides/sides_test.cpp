@@ -316,6 +316,21 @@ TEST(SideBySideView, KindsAndPlacesGoRound) {
   EXPECT_EQ(s.difference(), face);
 }
 
+// When A becomes as B is, its picture is B's, no mark stays, and the captions have no words but their
+// letters.
+TEST(SideBySideView, AlikeIsDrawnAlike) {
+  Shown s{"teapot", ordered(Order::ZSort)};
+  const Rect caption = s.at().captionA, at = s.at().difference;
+  for (const bool alike : {false, true}) {
+    const IndexImage marked = s.stage.part({at.x, at.y + 24, at.width, at.height - 24});
+    EXPECT_EQ(s.A() == s.B(), alike);
+    EXPECT_EQ(std::ranges::count(marked.pixels, CellPlan{}[Cell::Q]) == 0, alike);
+    EXPECT_EQ(inkIn(s.stage.part({caption.x + 24, caption.y, caption.width - 24, caption.height})) == 0,
+              alike);
+    s.press("AO");  // Newell, as B
+  }
+}
+
 // While something is dragged, the pictures follow at once and the numbers are faint. When the drag is over,
 // the numbers follow, and all looks as if it had been drawn at once.
 TEST(SideBySideView, NumbersFollowWhenADragIsOver) {

@@ -22,7 +22,8 @@ int count(const IndexImage& image, std::uint8_t cell) {
 }  // namespace
 
 // No word reaches into the margin of the strip, for any names and for narrow frames, so no word is cut off.
-// Outlines stay in the picture.
+// Outlines stay in the picture. Each step looks otherwise than the one before, and the finished picture is
+// the same after an earlier step.
 TEST(Frames, NothingIsCutOff) {
   Scene scene = readScene("cycle");
   scene.mesh.groupNames = {std::string(100, 'W'), "a name of many words that goes on and on",
@@ -39,8 +40,12 @@ TEST(Frames, NothingIsCutOff) {
     Frames frames{picture, sorted, true, steps};
     const CellPlan plan;
     std::int64_t ink = 0;
+    const IndexImage finished = frames.finished();
+    IndexImage last{1, 1, 0};
     for (const int step : steps) {
       const IndexImage& frame = frames.at(step);
+      EXPECT_NE(frame, last) << step;
+      last = frame;
       for (int j = 64; j < frame.height; ++j)
         for (int i = 0; i < frame.width; ++i) {
           ink += frame.row(j)[i] == plan[Cell::Ink];
@@ -51,6 +56,8 @@ TEST(Frames, NothingIsCutOff) {
         for (int i = width; i < frame.width; ++i) ASSERT_EQ(frame.row(j)[i], plan[Cell::Panel]);
     }
     EXPECT_GT(ink, 1000);
+    (void)frames.at(2);
+    EXPECT_EQ(frames.finished(), finished);
   }
 }
 

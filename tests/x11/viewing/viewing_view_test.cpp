@@ -241,7 +241,8 @@ TEST(ViewingView, AClickChoosesAVertexAndADragTurns) {
   EXPECT_EQ(b.setup(), b.defaults());
 }
 
-// The matrix of each choice of M leads to the numbers of the story, at each stage.
+// The matrix of each choice of M leads to the numbers of the story, at each stage. Each choice shows another
+// matrix.
 TEST(ViewingView, ShowsThreeMatrices) {
   ViewingWindow b;
   const ViewingStory story{b.picture(), *cornerOf(b.scene().mesh, b.viewing().vertex())};
@@ -259,6 +260,12 @@ TEST(ViewingView, ShowsThreeMatrices) {
       for (int k = 0; k < 3; ++k)
         EXPECT_NEAR(last[k], here[k] / here.w, 1e-9 * (1 + std::abs(last[k]))) << row.name;
     }
+  b.does(NamedKey::Right);
+  for (int k = 0; k < 3; ++k) {
+    const IndexImage last = b.aboveStatus();
+    b.does('M');
+    EXPECT_NE(b.aboveStatus(), last);
+  }
 }
 
 // The words are the story's, rounded, for a scene with several lights and colours too.
