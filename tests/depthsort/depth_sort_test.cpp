@@ -500,6 +500,20 @@ TEST(Oracle, AgreesWithRationalArithmetic) {
   EXPECT_GT(ties, 250);
 }
 
+// nearer() separates depths that differ far below a double's last bit. The slopes F(n-1)/F(n) of Fibonacci
+// numbers up to 2^60 lie on alternating sides of the golden ratio, at a distance of 1/(F(n) F(n+1)) from each
+// other (Cassini).
+TEST(Oracle, NearerDecidesBeyondDoubles) {
+  std::vector<std::int64_t> F{1, 1};
+  while (F.size() < 87) F.push_back(F[F.size() - 1] + F[F.size() - 2]);
+  EXPECT_GT(F.back(), std::int64_t{1} << 58);
+  for (int n = 40; n + 1 < 87; ++n) {
+    const ScreenPlane P{F[n - 1], 0, F[n]}, Q{F[n], 0, F[n + 1]};
+    EXPECT_EQ(nearer(P, Q, 0, 0), n % 2 ? 1 : -1) << n;
+    EXPECT_EQ(nearer(P, Q, 8191, 0), n % 2 ? 1 : -1) << n;
+  }
+}
+
 }  // namespace
 
 }  // namespace xnewell::THIS_FILE

@@ -279,6 +279,17 @@ TEST(ReadTextFile, GivesEveryByteBack) {
   }
 }
 
+// Failures of the system are reported in its words, with the name as the user gave it.
+TEST(ReadTextFile, SaysWhatTheSystemSays) {
+  EXPECT_EQ(complaint([] { return readTextFile(""); }), ": No such file or directory");
+  const TemporaryFolder folder;
+  const std::filesystem::path secret = folder.write("secret.obj", "v 0 0 0");
+  std::filesystem::permissions(secret, std::filesystem::perms::none);
+  const std::string refusal =
+      ::geteuid() == 0 ? "" : secret.string() + ": Permission denied";  // root may read everything
+  EXPECT_EQ(complaint([&] { return readTextFile(secret); }), refusal);
+}
+
 // A pipe, to which nobody may write, and a device, which may have no end, are refused at once.
 TEST(ReadTextFile, ReadsRegularFilesOnly) {
   const TemporaryFolder folder;

@@ -61,6 +61,18 @@ TEST(View, RefusesWhatCannotSee) {
   refuses([](ViewSpec& s) { s.front = 4; });
 }
 
+// Scaling by a power of two, from 2^-1000 to 2^1000, changes no bit of a unit vector: scaled and unscaled
+// arithmetic agree.
+TEST(View, UnitVectorsAreTheSameAtEveryScale) {
+  std::mt19937 rng{1972};
+  const auto coordinate = [&] { return std::uniform_real_distribution{-1.0, 1.0}(rng); };
+  for (int k = -1000; k <= 1000; ++k) {
+    const glm::dvec3 v{coordinate(), coordinate(), coordinate()};
+    const glm::dvec3 scaled{std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
+    ASSERT_EQ(unit(scaled), unit(v)) << k;
+  }
+}
+
 /// ---- Cameras
 
 /// The bounding box of the projected points in the canonical square.
