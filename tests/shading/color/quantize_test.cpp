@@ -101,12 +101,19 @@ TEST(Quantize, LeavesOtherPixelsAlone) {
   EXPECT_GT(left, 12 * 1000);
 }
 
-// A picture that shows nothing chooses no colour.
-TEST(Quantize, NothingNeedsNoColour) {
+// A picture that shows nothing chooses no colour, and a picture of one colour chooses that one.
+TEST(Quantize, NothingAndOneColour) {
   const FullColorPicture picture = coloredBalls(30, 20);
   IndexImage cells{30, 20, 7};
   EXPECT_TRUE(quantize(picture.rgb, std::vector<std::uint8_t>(600, 0), {}, cells).empty());
   EXPECT_EQ(cells, (IndexImage{30, 20, 7}));
+  const RgbImage one = pictureOf(std::vector<glm::u8vec3>(64, {3, 200, 90}), 8);
+  for (const bool dither : {false, true})
+    for (const int colors : {1, 2}) {
+      const Result result = resultOf(one, {.dither = dither, .colors = colors});
+      EXPECT_EQ(result.colors, (std::vector<Rgb16>{{3 * 257, 200 * 257, 90 * 257}}));
+      EXPECT_EQ(result.image, one);
+    }
 }
 
 // A picture with no more colours than cells is shown exactly, however often each colour occurs, dithered or

@@ -515,6 +515,20 @@ TEST(Profile, TheTwoSidesAreTwoSurfaces) {
   EXPECT_GT(samples, 500);
 }
 
+// The strip is the row of the method's picture, whatever method the given picture is in.
+TEST(Profile, ShowsTheRowOfEachMethod) {
+  PictureCache pictures{readScene("teapot", 4)};
+  PictureSettings s = wide(200);
+  s.shading = Shading::Gouraud;
+  const Scanline line = scanlineOf(pictures.make(s), 60, 8);
+  for (const Profile& p : line.profiles) {
+    s.shading = p.method;
+    const IndexImage image = pictures.make(s, 8).image();
+    EXPECT_TRUE(std::equal(p.cells.begin(), p.cells.end(), image.row(60), image.row(61)));
+  }
+  EXPECT_NE(line.profiles[0].cells, line.profiles[1].cells);
+}
+
 // The default is the middle row, unless it shows nothing.
 TEST(Profile, DefaultScanlineShowsSomething) {
   const Scene scene = parseSceneFile(

@@ -14,6 +14,7 @@
 #include "shading/scene/scene_file.h"
 #include "shading/scene/units.h"
 #include "shading/trade/measure.h"
+#include "tests/support/model_view.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -161,30 +162,42 @@ TEST(SurfaceValues, InterpolatedCellsStayWhereFacesAreClipped) {
 }
 
 // Any rows have the values of the whole picture there, and pieces have the values and the cells of their
-// faces: the depth sort's picture equals the oracle's, with every method.
+// faces: the depth sort's picture equals the oracle's, with every method. In flat shading the cell is that of
+// the face's stored intensity.
 TEST(SurfaceValues, DependOnTheSampleAlone) {
   for (const char* const name : {"penetrate", "cycle", "pinwheels", "tori"}) {
     PictureCache split{readScene(name)}, whole{split.scene()};
-    for (const ShadingRow& row : kShadings) {
-      SCOPED_TRACE(testing::Message() << name << ' ' << row.name);
-      PictureSettings s = small(row.id);
-      s.camera = completed({}, split.scene().camera);
+    std::int64_t splits = 0, lit = 0;
+    for (unsigned k = 0; k < 4 * kShadings.size(); ++k) {
+      const ShadingRow& row = kShadings[k / 4];
+      SCOPED_TRACE(testing::Message() << name << ' ' << row.name << ' ' << k % 4);
+      PictureSettings s = randomView(split.scene(), k % 4, 160, 120);
+      s.shading = row.id;
       const Picture sorted = split.make(s, 0);
       s.order = Order::Oracle;
       const Picture oracle = whole.make(s, 0);
-      ASSERT_GT(sorted.sorted().statistics.splits, 0);
+      splits += sorted.sorted().statistics.splits;
       EXPECT_EQ(sorted.image(), oracle.image());
       const auto same = [](const std::vector<double>& a, const std::vector<double>& b) {
         return std::ranges::equal(a, b, [](double x, double y) { return x == y || (x != x && y != y); });
       };
-      const std::vector<double> all = oracle.intensities(oracle.seen(0, s.height));
-      EXPECT_GT(std::ranges::count_if(all, [](double v) { return v > 0; }), 1000);
+      const SeenRows seen = oracle.seen(0, s.height);
+      const std::vector<double> all = oracle.intensities(seen);
+      lit += std::ranges::count_if(all, [](double v) { return v > 0; });
       EXPECT_TRUE(same(sorted.intensities(sorted.seen(0, s.height)), all));
-      EXPECT_EQ(sorted.normals(sorted.seen(0, s.height)), oracle.normals(oracle.seen(0, s.height)));
+      EXPECT_EQ(sorted.normals(sorted.seen(0, s.height)), oracle.normals(seen));
+      for (std::size_t at = 0; at < all.size() && row.id == Shading::Flat; ++at) {
+        if (seen.faces[at] == kNothing) continue;
+        const SnappedFace& f = oracle.snapped().faces[seen.faces[at]];
+        const double I = oracle.shading().intensities(0).I[f.number].seen(f.back);
+        ASSERT_EQ(sorted.image().pixels[at], oracle.table().cell(I));
+      }
       for (const int j : {0, 59, 119})
         EXPECT_TRUE(same(sorted.intensities(sorted.seen(j, j + 1)),
                          {all.begin() + j * s.width, all.begin() + (j + 1) * s.width}));
     }
+    EXPECT_GT(splits, 0) << name;
+    EXPECT_GT(lit, 24'000) << name;
   }
 }
 
@@ -347,6 +360,12 @@ TEST(Required, NormalsOnlyForLights) {
     // A map is looked up by a normal, whatever it holds.
     EXPECT_EQ(count(required, "vertex_normals") > 0, method == Shading::Environment);
     EXPECT_EQ(count(required, "face_normals"), 0);
+  }
+  for (const auto& [kd, normals] : {std::pair{"0.1", 24 * 12}, {"0", 0}}) {
+    const std::string text = scene(sun, R"("ks": 0, "kd": )" + std::string{kd});
+    const std::vector<Required> all =
+        requiredBy(makePicture(parseSceneFile(text, "scene", XNEWELL_DATA_DIR), small(Shading::Flat)));
+    EXPECT_EQ(std::get<std::int64_t>(std::ranges::find(all, "face_normals", &Required::name)->what), normals);
   }
 }
 

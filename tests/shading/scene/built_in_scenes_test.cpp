@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "geometry/model/vertex_normals.h"
 #include "shading/color/png.h"
 #include "shading/laboratory/errors.h"
 #include "shading/picture/picture_cache.h"
@@ -20,7 +21,7 @@ namespace {
 
 /// ---- The built-in scenes
 
-/// Each built-in scene of shading shows what it says, measured in its pictures.
+/// Some built-in scenes of shading show what they say, measured in their pictures.
 
 constexpr int kWidth = 400, kHeight = 300;
 constexpr int kGround = 255;  ///< belongs to no ramp
@@ -54,6 +55,14 @@ std::function<void(PictureSettings&)> by(Shading method) {
   return [method](PictureSettings& s) { s.shading = method; };
 }
 
+/// Samples whose cells are more than `apart` apart.
+int differing(const Drawn& a, const Drawn& b, int apart) {
+  int count = 0;
+  for (std::size_t k = 0; k < a.image.pixels.size(); ++k)
+    count += std::abs(a.image.pixels[k] - b.image.pixels[k]) > apart;
+  return count;
+}
+
 constexpr double kFull = kMaxShades - 1;  ///< of full intensity over none, in a linear table
 
 // Gouraud shading loses the whole highlight in the middle of one large square, and keeps it if the square is
@@ -64,6 +73,90 @@ TEST(BuiltInScenes, HighlightIsLost) {
   EXPECT_GT(phong.brightest(0, 1) - gouraud.brightest(0, 1), 0.9 * highlight);
   EXPECT_LT(phong.brightest(1, 257) - gouraud.brightest(1, 257), 0.1 * highlight);
   EXPECT_EQ(gouraud.picture.saturated(), 0);
+}
+
+// The sum over all faces leans at some corners of the cube of 12 triangles, so that it is lit differently
+// from the cube of 6 squares. With distinct normals both have the normals of a cube.
+TEST(BuiltInScenes, CubesDifferByRule) {
+  EXPECT_EQ(readScene("cubes").settings.normals, NormalRule::Sum);
+  for (const NormalRule rule : {NormalRule::Sum, NormalRule::Distinct, NormalRule::Angle}) {
+    const Drawn drawn{"cubes", [&](PictureSettings& s) { s.normals = rule; }};
+    const std::vector<Vertex>& vertices = drawn.picture.shading().vertices().vertices;
+    ASSERT_EQ(vertices.size(), 16u);
+    const auto leans = [&](std::size_t k, double by) {
+      const glm::dvec3 off = abs(abs(vertices[k].N) - 1 / std::sqrt(3.0));
+      return std::max(off.x, off.y) > by;
+    };
+    const auto& I = drawn.picture.shading().intensities(0).I;
+    int leaning = 0, litOtherwise = 0;
+    for (std::size_t k = 0; k < 8; ++k) {
+      EXPECT_FALSE(leans(k, 1e-12));
+      leaning += leans(8 + k, 0.1);
+      litOtherwise += std::abs(I[k].front - I[8 + k].front) > 0.05;
+    }
+    EXPECT_EQ(leaning >= 4, rule == NormalRule::Sum) << leaning;
+    EXPECT_EQ(litOtherwise >= 3, rule == NormalRule::Sum) << litOtherwise;
+    EXPECT_TRUE(rule == NormalRule::Sum || leaning + litOtherwise == 0);
+  }
+}
+
+// Every rule for normals shades the coarse teapot differently. Its file has none of its own.
+TEST(BuiltInScenes, CoarseTeapotDiffersByRule) {
+  std::vector<Drawn> drawn;
+  for (const NormalRow& rule : kNormalRules)
+    if (rule.id != NormalRule::File)
+      drawn.emplace_back("coarse-teapot", [&](PictureSettings& s) { s.normals = rule.id; });
+  for (std::size_t a = 0; a < drawn.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      EXPECT_GT(differing(drawn[a], drawn[b], 2), drawn[a].samples() / 100)
+          << kNormalRules[a].name << " and " << kNormalRules[b].name;
+}
+
+// The middle of a square with one bright corner depends on how a fill interpolates. Triangles give the same
+// value however the square is turned. Rows give the mean of all corners or of two, whether the square or the
+// view is turned.
+TEST(BuiltInScenes, RowsTurnWithTheView) {
+  const auto middles = [](Polygons polygons, bool turned) {
+    const Drawn drawn{"bright-corner", [&](PictureSettings& s) {
+                        s.polygons = polygons;
+                        s.camera.height = *s.camera.height * 1.5;  // nothing cut off
+                        if (turned) s.camera.up = glm::dvec3{1, 1, 0};
+                      }};
+    std::array<int, 2> cells{};
+    for (std::uint32_t face = 0; face < 2; ++face) {
+      // The middle of a square is the mean of its samples' places.
+      long i = 0, j = 0, n = 0;
+      for (std::size_t k = 0; k < drawn.faces.size(); ++k)
+        if (drawn.faces[k] == face + 1) i += k % kWidth, j += k / kWidth, ++n;
+      EXPECT_GT(n, 4000);
+      cells[face] = drawn.image.row(static_cast<int>(j / n))[i / n];
+    }
+    return cells;
+  };
+  const auto triangles = middles(Polygons::Triangles, false), rows = middles(Polygons::Rows, false);
+  const auto triangles45 = middles(Polygons::Triangles, true), rows45 = middles(Polygons::Rows, true);
+  EXPECT_NEAR(triangles[0], triangles[1], 4);  // within a few samples of the middle
+  EXPECT_GT(std::abs(rows[0] - rows[1]), 30);
+  for (const int square : {0, 1}) {
+    EXPECT_NEAR(triangles[square], triangles45[square], 4);
+    EXPECT_GT(std::abs(rows[square] - rows45[square]), 30);
+  }
+}
+
+// Perspective and affine texture coordinates show the same on a face seen straight on, and not on a cube seen
+// at an angle.
+TEST(BuiltInScenes, AffineTexturesBend) {
+  for (const bool straight : {false, true}) {
+    const auto mapped = [&](TextureMapping mapping) {
+      return Drawn{"textured-cube",
+                   [&](PictureSettings& s) {
+                     s.mapping = mapping, s.colors = ColorPlan::OneHue;
+                     if (straight) s.camera.eye = glm::dvec3{0, -1.5, 0}, s.camera.lookAt = glm::dvec3{0};
+                   }}
+          .image;
+    };
+    EXPECT_EQ(mapped(TextureMapping::Perspective) == mapped(TextureMapping::Affine), straight);
+  }
 }
 
 // Every lit method cuts off intensities above 1, which leaves an area of full intensity. Without the

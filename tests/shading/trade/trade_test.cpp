@@ -91,7 +91,8 @@ TEST(Trade, AxesInReachHaveAnEffectBesideOthers) {
   EXPECT_EQ(std::ranges::find(axes, "divisions", &Axis::name)->others.back(), 64);
 }
 
-// Each row differs from the set-up in one short cut, and its errors are those of that picture.
+// Each row differs from the set-up in one short cut, and its errors are those of that picture. Errors in
+// other views are equal to the bit in every run.
 TEST(Trade, RowsAreThePicturesOfOneShortCut) {
   const PictureSettings settings = small();
   const Trade trade =
@@ -99,6 +100,7 @@ TEST(Trade, RowsAreThePicturesOfOneShortCut) {
   EXPECT_FALSE(trade.stopped);
   EXPECT_EQ(trade.rows.size(), kOrders.size() - 1 + kShadings.size() - 2);
   EXPECT_THROW((void)rowOf(trade, "shade", "depth"), std::runtime_error);
+  const Trade again = quickTrade("nested-cycles", settings, {.axes = {"order"}});
   const Scene scene = readScene("nested-cycles");
   for (const OrderRow& order : kOrders) {
     if (order.id == settings.order) continue;
@@ -111,6 +113,7 @@ TEST(Trade, RowsAreThePicturesOfOneShortCut) {
     const Errors errors = errorsOf(picture, picture.palette(CellPlan{}));
     EXPECT_EQ(row.measured.here.afterTable.rootMeanSquare, errors.afterTable.rootMeanSquare);
     EXPECT_EQ(row.measured.here.color.largest, errors.color.largest);
+    EXPECT_EQ(row.measured.elsewhere, rowOf(again, "order", order.name).measured.elsewhere);
     EXPECT_GT(row.measured.cost.time.ms, 0);
     if (!kSanitized) {  // whose heap does not tell
       EXPECT_GT(row.measured.cost.bytes, std::int64_t{settings.width} * settings.height);
