@@ -287,8 +287,8 @@ TEST(KernelSearch, FindsTheWorst) {
   EXPECT_EQ((Search{hill, kRoundingModes[0], 5'000, 1}.worst({}).share), 1.0);
 }
 
-// Three copies of kernels, each broken in one place that random inputs hardly meet: with each of them in the
-// program, the ordinary tests of that kernel still passed. The search finds all three.
+// Three copies of kernels, each broken so little, or in so few places, that random inputs hardly show it. The
+// search finds all three.
 
 // As sinCosDegrees().sin. Broken: one term of the series has the wrong sign in the last millionth of a degree
 // before 45.

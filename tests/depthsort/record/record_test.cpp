@@ -106,8 +106,7 @@ TEST(Explain, NumbersDecideAsTheRunDid) {
   EXPECT_GT(contacts, 0);
 }
 
-// On which side of another plane a face's corners lie is as in fractions. The extents are those of the
-// vertices.
+// Fractions say on which side of another plane a face's corners lie. The extents are those of the vertices.
 TEST(Explain, NumbersOfFacesAreThoseOfTheirVertices) {
   int on = 0;
   for (unsigned seed = 0; seed < 70; ++seed) {

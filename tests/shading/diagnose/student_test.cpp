@@ -155,7 +155,7 @@ TEST(Diagnose, NamesThePlantedMistakeOnTheTeapot) {
 }
 
 // A mistake that is in no list gets no name. Where it is a number that is another one, that may be told. Each
-/// scene has each of them, by one of the methods; all of them by all methods with XNEWELL_SEED.
+// scene has each of them, by one of the methods; all of them by all methods with XNEWELL_SEED.
 TEST(Diagnose, HasNoNameForWhatIsNotInTheList) {
   int pictures = 0, wrongNames = 0;
   std::string misnamed;

@@ -47,8 +47,8 @@ double roundingIn(const std::string& objects, int face = 0, const std::string& m
 }
 const std::string kTwoDecimals = R"("polygons": [[[0.25, 0, 0], [15000.5, 0, 0], [0, 10000, 0]]])";
 
-// The rounding of inline polygons is half a unit of the last decimal in their text. No other text matters.
-// Every object keeps the rounding of its own coordinates, scaled with it. A solid's coordinates are exact.
+// Every object has its own rounding, scaled with it: half a unit of the last decimal in the text of its
+// polygons. No other text matters. A solid's coordinates are exact.
 TEST(SceneFile, RoundingByObject) {
   constexpr double kHalf = 0.5 / 10 / 10;
   EXPECT_EQ(roundingIn("{" + kTwoDecimals + "}"), kHalf);
