@@ -131,6 +131,85 @@ TEST(SurfaceValues, AreTheEquationAtEverySample) {
   }
 }
 
+// A picture shows the shade nearest to the value: fixed point and single precision add a small part of a
+// shade. A place in an environment may be off by one where a normal lies between two.
+TEST(SurfaceValues, ArePaintedToHalfAShade) {
+  struct Case {
+    Polygons polygons;
+    bool unnormalized;
+  };
+  for (const ShadingRow& row : kShadings)
+    for (const auto& [polygons, unnormalized] :
+         {Case{Polygons::Triangles, false}, Case{Polygons::Rows, false}, Case{Polygons::Triangles, true}}) {
+      SCOPED_TRACE(row.name);
+      PictureCache teapot{readScene("teapot", 3)};
+      PictureSettings s = small(row.id);
+      s.polygons = polygons, s.unnormalized = unnormalized;
+      const IndexImage image = teapot.make(s, 8).image();
+      const SeenRows seen = teapot.last().seen(0, s.height);
+      const std::vector<double> I = teapot.last().intensities(seen);
+      const ColorTable& table = teapot.last().table();
+      int samples = 0, off = 0;
+      for (std::size_t k = 0; k < I.size(); ++k) {
+        if (seen.faces[k] == kNothing) continue;
+        ++samples;
+        const double shades = image.pixels[k] - table.first() - (table.shades() - 1) * I[k];
+        off += std::abs(shades) > 0.51;
+      }
+      EXPECT_GT(samples, 5000);
+      EXPECT_LE(off, row.id == Shading::Environment ? samples / 500 : 0);
+    }
+}
+
+// Where cell numbers are interpolated, each pixel has the mean of the cells at the vertices, weighted by
+// their shares and rounded. In a linear table that is within one cell of the interpolated intensity. In a
+// corrected table it is another picture.
+TEST(SurfaceValues, InterpolatedCellsAreMeansOfCells) {
+  for (const TableKind kind : {TableKind::Linear, TableKind::Corrected}) {
+    PictureSettings s = small(Shading::Gouraud);
+    s.light.constantV = true;
+    s.table.kind = kind, s.table.pick = Pick::Log;
+    PictureCache ball{makeScene("ball", sphere(18, 9), UpAxis::Z)};
+    const IndexImage intensities = ball.make(s, 3).image();
+    s.interpolated = Interpolated::Cell;
+    const Picture picture = ball.make(s, 3);
+    const glm::dvec3 L = normalize(s.light.light),
+                     V = normalize(picture.camera().eye - picture.camera().lookAt);
+    const Vertices& vertices = picture.shading().vertices();
+    // The cell of an intensity, and whether it is far from the next one; the brief's formulas.
+    const auto cellOf = [&](double I, bool& sure) {
+      const double j =
+          kind == TableKind::Linear ? 239 * I : 239 * std::log(std::max(I, 0.02) / 0.02) / std::log(1 / 0.02);
+      sure = sure && std::abs(j - std::floor(j) - 0.5) > 0.01;
+      return 11 + std::round(j);
+    };
+    const SeenRows seen = picture.seen(0, s.height);
+    int compared = 0, differ = 0, most = 0;
+    for (std::size_t k = 0; k < seen.faces.size(); ++k) {
+      if (seen.faces[k] == kNothing) continue;
+      const Place place = placeIn(picture.snapped(), picture.snapped().faces[seen.faces[k]],
+                                  static_cast<int>(k) % s.width, static_cast<int>(k) / s.width);
+      double mean = 0;
+      bool sure = true;
+      for (int c = 0; c < 3; ++c)
+        mean +=
+            place.share[c] *
+            cellOf(equation(s.light, vertices.vertices[vertices.ofCorner[place.corner[c]]].N, L, V), sure);
+      const int cell = picture.image().pixels[k], apart = std::abs(cell - intensities.pixels[k]);
+      differ += apart > 0, most = std::max(most, apart);
+      if (!sure || std::abs(mean - std::floor(mean) - 0.5) < 1e-3) continue;
+      ASSERT_EQ(cell, std::round(mean)) << k;
+      ++compared;
+    }
+    EXPECT_GT(compared, 4000);
+    EXPECT_GT(differ, 100);
+    if (kind == TableKind::Linear)
+      EXPECT_EQ(most, 1);
+    else
+      EXPECT_GT(most, 5);
+  }
+}
+
 // A face keeps its cells where a front plane cuts it: the cells at the vertices that clipping makes are
 // interpolated too.
 TEST(SurfaceValues, InterpolatedCellsStayWhereFacesAreClipped) {
