@@ -10,7 +10,6 @@
 #include <fstream>
 #include <iostream>
 #include <random>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -194,14 +193,14 @@ class Maker {
  private:
   bool oneIn(int n) { return below(n, rng_) == 0; }
   void add(std::string line) {
-    static const std::regex kChoice{R"(\[([^\]\[<>]*)\]|<([^\]\[<>]*)>)"};
-    for (std::smatch m; std::regex_search(line, m, kChoice);) {
-      const std::string all = m[1].matched ? m.str(1) + '|' : m.str(2);
+    for (std::size_t end = 0; (end = line.find_first_of("]>")) != std::string::npos;) {
+      const std::size_t begin = line.find_last_of("[<", end);
+      const std::string all = line.substr(begin + 1, end - begin - 1) + (line[end] == ']' ? "|" : "");
       std::istringstream choices{all + '|'};
       std::string choice;
       for (int k = 1 + below(1 + static_cast<int>(std::ranges::count(all, '|')), rng_); k > 0; --k)
         std::getline(choices, choice, '|');
-      line = m.prefix().str() + choice + m.suffix().str();
+      line.replace(begin, end + 1 - begin, choice);
     }
     for (const std::string& word : words(line)) {
       if (word == "OPTIONS")
@@ -219,17 +218,18 @@ class Maker {
   /// A word with values in the place of its braces.
   std::string filled(std::string word) {
     if (word.starts_with("OUT/")) return folder_ + word.substr(3);
-    static const std::regex kBraces{R"(\{(\w+):([^:}]*):?([^}]*)\})"};
-    for (std::smatch m; std::regex_search(word, m, kBraces);) {
-      const std::string kind = m.str(1);
-      std::string value;
+    for (std::size_t begin = 0; (begin = word.find('{')) != std::string::npos;) {
+      const std::size_t end = word.find('}', begin);
+      std::istringstream parts{word.substr(begin + 1, end - begin - 1)};
+      std::string kind, low, high, value;
+      std::getline(std::getline(std::getline(parts, kind, ':'), low, ':'), high);
       if (kind == "below")
-        value = std::to_string(below(std::stoi(m.str(2)), rng_));
+        value = std::to_string(below(std::stoi(low), rng_));
       else if (kind == "size")
-        value = "--size=" + side(std::stoi(m.str(2))) + 'x' + side(std::stoi(m.str(2)));
+        value = "--size=" + side(std::stoi(low)) + 'x' + side(std::stoi(low));
       else
-        value = numbers(std::stoi(kind), std::stod(m.str(2)), std::stod(m.str(3)));
-      word = m.prefix().str() + value + m.suffix().str();
+        value = numbers(std::stoi(kind), std::stod(low), std::stod(high));
+      word.replace(begin, end + 1 - begin, value);
     }
     return word;
   }
