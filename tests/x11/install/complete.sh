@@ -1,10 +1,9 @@
 #!/usr/bin/env bash
 # complete.sh SHELL PREFIX LINE: prints what a shell proposes after LINE, in the folder of the project's data, with the
-# completion that is installed in PREFIX: sorted, one proposal a line, folders without their slash. If the shell is not
-# installed, bash speaks for it. Exit status: the shell's.
+# completion that is installed in PREFIX: sorted, one proposal a line, folders without their slash. Exit status: the
+# shell's.
 set -o pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd) shell=$1 prefix=$2 line=$3 home=$PWD/home
-command -v "$shell" >/dev/null || shell=bash
 export PATH=$prefix/bin:$PATH
 cd "$here/../../../data" || exit
 case $shell in

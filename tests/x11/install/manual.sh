@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# manual.sh PREFIX: prints what the man page in PREFIX lacks of what --help and `scenes` print, and which options it has
-# beyond them. It leaves the names of the commands and of the built-in scenes in files of this folder, commands and
-# built-in. Exit status: 1 if --help or `scenes` cannot be read.
+# manual.sh PREFIX [words]: prints what the man page in PREFIX lacks of what --help and `scenes` print, and which options
+# it has beyond them; with `words`, which of their words `man` does not show. It leaves the names of the commands and of
+# the built-in scenes in files of this folder, commands and built-in. Exit status: 1 if --help or `scenes` cannot be read.
 set -euo pipefail
 page=$1/share/man/man1/xnewell.1
 help=$("$1/bin/xnewell" --help) scenes=$("$1/bin/xnewell" scenes)
@@ -27,7 +27,7 @@ for name in $names 0 1 2 130; do grep -qxF '\fB'"$name"'\fR' <<<"$plain" || echo
 
 # What --help says about an option, and `scenes` about a scene, stands there word for word, and `man` shows it as it was
 # written.
-command -v man >/dev/null || exit 0
+[[ ${2:-} ]] || exit 0
 shown=$(LC_ALL=C.UTF-8 MANWIDTH=2000 MAN_KEEP_FORMATTING='' man --warnings -l "$page" | col -bx |
   tr -d '`' | tr -s '[:space:]' ' ')
 {
